@@ -1,0 +1,578 @@
+// SPDX-FileCopyrightText: 2026 The Index Boolean authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// in: both operands' triangles; out: all pairs of faces with boxes that meet, each once.
+// Both operands descend through one octree that is never stored: a node is two lists of boxes.
+// All tests are closed, so a pair reaches every leaf that its boxes' overlap reaches; the leaf that
+// holds the overlap's low corner reports it. Leaves are half open, the root has no bounds.
+// Boxes are floats. Both the clamp to the common box and the rounding never swap two numbers, hence
+// boxes that meet still meet afterwards, without any margin.
+#include "octree_pairs.h"
+
+#include "parallel.h"
+
+#include <cmath>
+#include <limits>
+#include <new>
+#include <numeric>
+
+namespace index_boolean {
+
+namespace {
+
+constexpr std::size_t kGrain = 8192;       // faces or vertices that a thread takes at a time
+constexpr std::uint64_t kCost = 12;        // all pairs of a leaf cost no more than one more split
+constexpr std::size_t kSmallNode = 2048;   // faces of a node not worth to be shared by threads
+constexpr std::size_t kManyNodes = 64;     // nodes enough for all threads
+constexpr std::size_t kPollPairs = 65536;  // pairs tested between two looks at the monitor
+
+// The overlap of both operands' boxes, and the map of its coordinates to about [-1,1].
+struct Frame {
+	Point lo, hi, centre;
+	double scale;
+	float half;  // of the root's cube in mapped coordinates, a power of two
+
+	bool empty() const { return !(lo[0] <= hi[0] && lo[1] <= hi[1] && lo[2] <= hi[2]); }
+
+	float map(double x, std::size_t axis) const {
+		const double inside = std::min(std::max(x, lo[axis]), hi[axis]);
+		return static_cast<float>((inside - centre[axis]) * scale);
+	}
+};
+
+struct FaceBox {
+	std::array<float, 3> lo;
+	std::array<float, 3> hi;
+	std::uint32_t face;
+};
+
+struct BoxSpan {
+	const FaceBox* first = nullptr;
+	std::size_t size = 0;
+
+	const FaceBox* begin() const { return first; }
+	const FaceBox* end() const { return first + size; }
+};
+
+// A node of the octree with the faces of each operand that reach it.
+struct Node {
+	std::array<float, 3> low;  // of the corners that the node owns; -inf along the root's side
+	std::array<float, 3> mid;
+	float half;
+	int depth;
+	std::array<BoxSpan, 2> faces;
+
+	std::size_t size() const { return faces[0].size + faces[1].size; }
+};
+
+// Memory for boxes, reused and never initialized.
+class BoxBuffer {
+public:
+	FaceBox* reserve(std::size_t size) {
+		if (size > capacity_) {
+			capacity_ = 0;
+			boxes_.reset();
+			boxes_.reset(new FaceBox[size]);
+			capacity_ = size;
+		}
+		return boxes_.get();
+	}
+
+private:
+	std::unique_ptr<FaceBox[]> boxes_;
+	std::size_t capacity_ = 0;
+};
+
+// Sets of the eight children as bits. Child c lies in the upper half along axis k iff bit k of c.
+using ChildSet = std::uint8_t;
+constexpr std::array<std::array<ChildSet, 4>, 3> kHalves = {{
+    {0x00, 0x55, 0xaa, 0xff},  // none, lower, upper, both halves along x
+    {0x00, 0x33, 0xcc, 0xff},
+    {0x00, 0x0f, 0xf0, 0xff},
+}};
+
+// The children that a box reaches.
+ChildSet childrenOf(const FaceBox& box, const std::array<float, 3>& mid) {
+	unsigned children = 0xff;
+	for (std::size_t axis = 0; axis < 3; ++axis) {
+		const unsigned lower = box.lo[axis] < mid[axis] ? 1U : 0U;
+		const unsigned upper = box.hi[axis] >= mid[axis] ? 2U : 0U;
+		children &= kHalves[axis][lower | upper];
+	}
+	return static_cast<ChildSet>(children);
+}
+
+// For each set the lowest child in it.
+constexpr std::array<std::uint8_t, 256> makeLowestChild() {
+	std::array<std::uint8_t, 256> lowest{};
+	for (unsigned set = 1; set < 256; ++set) {
+		while ((set >> lowest[set] & 1U) == 0)
+			++lowest[set];
+	}
+	return lowest;
+}
+constexpr std::array<std::uint8_t, 256> kLowestChild = makeLowestChild();
+
+template <class Visit>
+void forEachChild(ChildSet set, Visit visit) {
+	for (unsigned rest = set; rest != 0; rest &= rest - 1)
+		visit(static_cast<std::size_t>(kLowestChild[rest]));
+}
+
+using ChildCounts = std::array<std::array<std::size_t, 8>, 2>;
+
+// The split of one node: which boxes go to which children.
+class Split {
+public:
+	// Counts the boxes of all children. \return false if splitting does not help
+	bool count(const Node& node);
+
+	// Writes the boxes of the living children to `buffer` and appends the children to `out`.
+	void distribute(const Node& node, BoxBuffer& buffer, std::vector<Node>& out);
+
+private:
+	bool helps(const Node& node) const;
+
+	std::array<std::vector<ChildSet>, 2> sets_;  // for each box
+	ChildCounts counts_{};
+	ChildSet living_ = 0;  // children with boxes of both operands
+};
+
+bool Split::count(const Node& node) {
+	counts_ = {};
+	for (std::size_t k = 0; k < 2; ++k) {
+		const BoxSpan& faces = node.faces[k];
+		sets_[k].resize(std::max(sets_[k].size(), faces.size));
+		for (std::size_t i = 0; i < faces.size; ++i) {
+			const ChildSet set = childrenOf(faces.first[i], node.mid);
+			sets_[k][i] = set;
+			forEachChild(set, [&](std::size_t child) { ++counts_[k][child]; });
+		}
+	}
+	living_ = 0;
+	for (unsigned child = 0; child < 8; ++child) {
+		if (counts_[0][child] != 0 && counts_[1][child] != 0)
+			living_ = static_cast<ChildSet>(living_ | 1U << child);
+	}
+	return helps(node);
+}
+
+// A split helps if it halves the pairs to be tested or hardly repeats a face: faces around one
+// common vertex stay together however often they are split.
+bool Split::helps(const Node& node) const {
+	std::uint64_t pairs = 0;
+	std::uint64_t boxes = 0;
+	forEachChild(living_, [&](std::size_t child) {
+		pairs += std::uint64_t{counts_[0][child]} * counts_[1][child];
+		boxes += counts_[0][child] + counts_[1][child];
+	});
+	const std::uint64_t pairsBefore = std::uint64_t{node.faces[0].size} * node.faces[1].size;
+	return pairs <= pairsBefore / 2 || 4 * boxes <= 5 * std::uint64_t{node.size()};
+}
+
+Node childNode(const Node& node, std::size_t child) {
+	Node result = node;
+	result.half = node.half / 2;
+	++result.depth;
+	for (std::size_t axis = 0; axis < 3; ++axis) {
+		const bool upper = (child >> axis & 1U) != 0;
+		if (upper)
+			result.low[axis] = node.mid[axis];
+		result.mid[axis] = node.mid[axis] + (upper ? result.half : -result.half);
+	}
+	return result;
+}
+
+void Split::distribute(const Node& node, BoxBuffer& buffer, std::vector<Node>& out) {
+	std::size_t total = 0;
+	forEachChild(living_, [&](std::size_t c) { total += counts_[0][c] + counts_[1][c]; });
+	FaceBox* next = buffer.reserve(total);
+	std::array<std::array<FaceBox*, 8>, 2> ends{};
+	forEachChild(living_, [&](std::size_t child) {
+		Node result = childNode(node, child);
+		for (std::size_t k = 0; k < 2; ++k) {
+			ends[k][child] = next;
+			result.faces[k] = {next, counts_[k][child]};
+			next += counts_[k][child];
+		}
+		out.push_back(result);
+	});
+	for (std::size_t k = 0; k < 2; ++k) {
+		for (std::size_t i = 0; i < node.faces[k].size; ++i) {
+			const FaceBox& box = node.faces[k].first[i];
+			forEachChild(static_cast<ChildSet>(sets_[k][i] & living_),
+			             [&](std::size_t child) { *ends[k][child]++ = box; });
+		}
+	}
+}
+
+// Descends below one node and lists the pairs of all leaves. One object per thread's chunk.
+class Descent {
+public:
+	Descent(const Options& options, Monitor& monitor, std::vector<FacePair>& out)
+	    : options_(options), monitor_(monitor), out_(out) {}
+
+	void visit(const Node& node);
+
+private:
+	void scan(const Node& node);
+	void scanAll(const Node& node);
+	void sweep(const Node& node);
+	void test(const Node& node, const FaceBox& a, const FaceBox& b);
+	bool stopped();
+
+	const Options& options_;
+	Monitor& monitor_;
+	std::vector<FacePair>& out_;
+	Split split_;
+	std::array<BoxBuffer, 21> buffers_;           // one per depth
+	std::array<std::vector<Node>, 21> children_;  // one per depth
+	std::array<std::vector<FaceBox>, 2> sorted_;
+	std::size_t tested_ = 0;
+};
+
+bool isLeaf(const Node& node, const Options& options) {
+	const std::uint64_t a = node.faces[0].size;
+	const std::uint64_t b = node.faces[1].size;
+	if (node.depth >= std::min(options.octreeMaxDepth, 20))
+		return true;
+	if (options.octreeLeafSize == 0)
+		return a * b <= kCost * (a + b);
+	const auto leafSize = static_cast<std::uint64_t>(options.octreeLeafSize);
+	return a * b <= leafSize * leafSize;
+}
+
+void Descent::visit(const Node& node) {
+	if (isLeaf(node, options_) || !split_.count(node)) {
+		scan(node);
+		return;
+	}
+	const auto depth = static_cast<std::size_t>(node.depth);
+	std::vector<Node>& children = children_[depth];
+	children.clear();
+	split_.distribute(node, buffers_[depth], children);
+	for (const Node& child : children) {
+		if (stopped())
+			return;
+		visit(child);
+	}
+}
+
+bool Descent::stopped() {
+	if (tested_ < kPollPairs)
+		return monitor_.cancelled();
+	tested_ = 0;
+	return pollCancelled(monitor_);
+}
+
+void Descent::scan(const Node& node) {
+	const std::uint64_t a = node.faces[0].size;
+	const std::uint64_t b = node.faces[1].size;
+	tested_ += static_cast<std::size_t>(a + b);
+	if (a * b <= kCost * (a + b))
+		scanAll(node);
+	else
+		sweep(node);
+}
+
+void Descent::scanAll(const Node& node) {
+	for (const FaceBox& a : node.faces[0]) {
+		for (const FaceBox& b : node.faces[1])
+			test(node, a, b);
+	}
+}
+
+// Lists the pair if the boxes meet and the low corner of their overlap is this node's. That corner
+// lies below the node's upper sides, as both boxes do.
+void Descent::test(const Node& node, const FaceBox& a, const FaceBox& b) {
+	bool meet = true;
+	for (std::size_t axis = 0; axis < 3; ++axis) {
+		const float corner = std::max(a.lo[axis], b.lo[axis]);
+		meet &= (corner <= a.hi[axis]) & (corner <= b.hi[axis]) & (corner >= node.low[axis]);
+	}
+	if (meet)
+		out_.push_back({{a.face}, {b.face}});
+}
+
+// The axis along which the boxes are the shortest, compared with the room that they take.
+std::size_t sweepAxis(const Node& node) {
+	std::array<double, 3> lowest, highest, length{};
+	lowest.fill(std::numeric_limits<double>::infinity());
+	highest.fill(-std::numeric_limits<double>::infinity());
+	for (const BoxSpan& faces : node.faces) {
+		for (const FaceBox& box : faces) {
+			for (std::size_t axis = 0; axis < 3; ++axis) {
+				lowest[axis] = std::min<double>(lowest[axis], box.lo[axis]);
+				highest[axis] = std::max<double>(highest[axis], box.hi[axis]);
+				length[axis] += static_cast<double>(box.hi[axis]) - box.lo[axis];
+			}
+		}
+	}
+	std::size_t best = 0;
+	for (std::size_t axis = 1; axis < 3; ++axis) {
+		const double room = highest[axis] - lowest[axis];
+		if (room * length[best] > (highest[best] - lowest[best]) * length[axis])
+			best = axis;
+	}
+	return best;
+}
+
+// Tests the boxes that meet along one axis only: each box, from low to high, against those of the
+// other operand that begin after it and before its end.
+void Descent::sweep(const Node& node) {
+	const std::size_t axis = sweepAxis(node);
+	for (std::size_t k = 0; k < 2; ++k) {
+		sorted_[k].assign(node.faces[k].begin(), node.faces[k].end());
+		std::sort(sorted_[k].begin(), sorted_[k].end(),
+		          [axis](const FaceBox& p, const FaceBox& q) { return p.lo[axis] < q.lo[axis]; });
+	}
+	auto a = sorted_[0].cbegin();
+	auto b = sorted_[1].cbegin();
+	while (a != sorted_[0].cend() && b != sorted_[1].cend() && !stopped()) {
+		if (a->lo[axis] <= b->lo[axis]) {
+			auto other = b;
+			for (; other != sorted_[1].cend() && other->lo[axis] <= a->hi[axis]; ++other)
+				test(node, *a, *other);
+			tested_ += static_cast<std::size_t>(other - b);
+			++a;
+		} else {
+			auto other = a;
+			for (; other != sorted_[0].cend() && other->lo[axis] <= b->hi[axis]; ++other)
+				test(node, *other, *b);
+			tested_ += static_cast<std::size_t>(other - a);
+			++b;
+		}
+	}
+}
+
+// The box of one operand's vertices. Comparisons with NaN are false: such vertices do not count.
+Status findBox(const MeshArrays& mesh, std::size_t operand, int threads, Monitor& monitor,
+               std::array<Point, 2>& box) {
+	constexpr double kMax = std::numeric_limits<double>::max();
+	const std::size_t first = mesh.vertexBegin[operand];
+	const std::size_t count = mesh.vertexBegin[operand + 1] - first;
+	const std::array<Point, 2> nothing = {{{kMax, kMax, kMax}, {-kMax, -kMax, -kMax}}};
+	std::vector<std::array<Point, 2>> parts(chunkCount(count, kGrain), nothing);
+	const Status status =
+	    parallelForChunks(count, kGrain, threads, monitor,
+	                      [&](std::size_t chunk, std::size_t begin, std::size_t end) {
+		                      Point lo = nothing[0];
+		                      Point hi = nothing[1];
+		                      for (std::size_t i = first + begin; i < first + end; ++i) {
+			                      for (std::size_t axis = 0; axis < 3; ++axis) {
+				                      const double x = mesh.points[i][axis];
+				                      lo[axis] = x < lo[axis] ? x : lo[axis];
+				                      hi[axis] = x > hi[axis] ? x : hi[axis];
+			                      }
+		                      }
+		                      parts[chunk] = {lo, hi};
+	                      });
+	box = nothing;
+	for (const auto& part : parts) {
+		for (std::size_t axis = 0; axis < 3; ++axis) {
+			box[0][axis] = std::max(std::min(box[0][axis], part[0][axis]), -kMax);
+			box[1][axis] = std::min(std::max(box[1][axis], part[1][axis]), kMax);
+		}
+	}
+	return status;
+}
+
+Frame makeFrame(const std::array<Point, 2>& a, const std::array<Point, 2>& b) {
+	Frame frame{};
+	double half = 0;
+	for (std::size_t axis = 0; axis < 3; ++axis) {
+		frame.lo[axis] = std::max(a[0][axis], b[0][axis]);
+		frame.hi[axis] = std::min(a[1][axis], b[1][axis]);
+		frame.centre[axis] = frame.lo[axis] / 2 + frame.hi[axis] / 2;
+		half = std::max(half, frame.hi[axis] / 2 - frame.lo[axis] / 2);
+	}
+	int exponent = 0;
+	std::frexp(half, &exponent);
+	const int scaleExponent = std::min(-exponent, 1000);
+	frame.scale = std::ldexp(1.0, scaleExponent);
+	frame.half = static_cast<float>(std::ldexp(1.0, exponent + scaleExponent));
+	return frame;
+}
+
+// The sides of the common box that a point lies beyond, as bits. A face that lies beyond one of
+// them with all corners meets no face of the other operand.
+std::uint8_t outcode(const Point& point, const Frame& frame) {
+	unsigned code = 0;
+	for (unsigned axis = 0; axis < 3; ++axis) {
+		code |= (point[axis] < frame.lo[axis] ? 1U : 0U) << (2 * axis);
+		code |= (point[axis] > frame.hi[axis] ? 2U : 0U) << (2 * axis);
+	}
+	return static_cast<std::uint8_t>(code);
+}
+
+FaceBox faceBox(const MeshArrays& mesh, std::size_t face, const Frame& frame) {
+	const Triangle& triangle = mesh.triangles[face];
+	const Point& p = at(mesh.points, triangle[0]);
+	const Point& q = at(mesh.points, triangle[1]);
+	const Point& r = at(mesh.points, triangle[2]);
+	FaceBox box{};
+	for (std::size_t axis = 0; axis < 3; ++axis) {
+		box.lo[axis] = frame.map(std::min(std::min(p[axis], q[axis]), r[axis]), axis);
+		box.hi[axis] = frame.map(std::max(std::max(p[axis], q[axis]), r[axis]), axis);
+	}
+	box.face = static_cast<std::uint32_t>(face);
+	return box;
+}
+
+// The boxes of one operand's faces that reach the common box, in the order of the faces.
+Status collectBoxes(const MeshArrays& mesh, std::size_t operand,
+                    const std::vector<std::uint8_t>& outcodes, const Frame& frame, int threads,
+                    Monitor& monitor, std::vector<FaceBox>& out) {
+	const std::size_t first = mesh.faceBegin[operand];
+	const std::size_t count = mesh.faceBegin[operand + 1] - first;
+	std::vector<std::vector<FaceBox>> parts(chunkCount(count, kGrain));
+	const Status status = parallelForChunks(
+	    count, kGrain, threads, monitor,
+	    [&](std::size_t chunk, std::size_t begin, std::size_t end) {
+		    for (std::size_t face = first + begin; face < first + end; ++face) {
+			    const Triangle& t = mesh.triangles[face];
+			    if ((at(outcodes, t[0]) & at(outcodes, t[1]) & at(outcodes, t[2])) == 0)
+				    parts[chunk].push_back(faceBox(mesh, face, frame));
+		    }
+	    });
+	std::size_t total = 0;
+	for (const auto& part : parts)
+		total += part.size();
+	out.reserve(total);
+	for (const auto& part : parts)
+		out.insert(out.end(), part.begin(), part.end());
+	return status;
+}
+
+Status findOutcodes(const MeshArrays& mesh, const Frame& frame, int threads, Monitor& monitor,
+                    std::vector<std::uint8_t>& outcodes) {
+	outcodes.resize(mesh.points.size());
+	return parallelFor(mesh.points.size(), kGrain, threads, monitor,
+	                   [&](std::size_t begin, std::size_t end) {
+		                   for (std::size_t i = begin; i < end; ++i)
+			                   outcodes[i] = outcode(mesh.points[i], frame);
+	                   });
+}
+
+Node makeRoot(const Frame& frame, const std::array<std::vector<FaceBox>, 2>& boxes) {
+	Node root{};
+	root.low.fill(-std::numeric_limits<float>::infinity());
+	root.half = frame.half;
+	for (std::size_t k = 0; k < 2; ++k)
+		root.faces[k] = {boxes[k].data(), boxes[k].size()};
+	return root;
+}
+
+// A frontier of the tree: nodes that own all pairs between them, and the memory of their boxes.
+struct Frontier {
+	std::vector<Node> nodes;
+	std::vector<std::unique_ptr<BoxBuffer>> buffers;
+};
+
+// Replaces the large nodes by their children.
+Status expand(const Options& options, Monitor& monitor, Frontier& frontier) {
+	const std::size_t count = frontier.nodes.size();
+	std::vector<std::vector<Node>> children(count);
+	std::vector<std::unique_ptr<BoxBuffer>> buffers(count);
+	const Status status = parallelForChunks(
+	    count, 1, options.threads, monitor, [&](std::size_t i, std::size_t, std::size_t) {
+		    const Node& node = frontier.nodes[i];
+		    Split split;
+		    if (node.size() < kSmallNode || isLeaf(node, options) || !split.count(node)) {
+			    children[i].push_back(node);
+			    return;
+		    }
+		    buffers[i] = std::make_unique<BoxBuffer>();
+		    split.distribute(node, *buffers[i], children[i]);
+	    });
+	frontier.nodes.clear();
+	for (std::size_t i = 0; i < count; ++i) {
+		frontier.nodes.insert(frontier.nodes.end(), children[i].begin(), children[i].end());
+		frontier.buffers.push_back(std::move(buffers[i]));
+	}
+	return status;
+}
+
+// Sorts by a (counting), then by b.
+void sortPairs(const std::vector<std::vector<FacePair>>& parts, std::size_t facesOfA,
+               std::vector<FacePair>& out) {
+	std::vector<std::size_t> ends(facesOfA + 1, 0);
+	for (const auto& part : parts) {
+		for (const FacePair& pair : part)
+			++ends[pair.a.value + 1];
+	}
+	std::partial_sum(ends.begin(), ends.end(), ends.begin());
+	out.resize(ends.back());
+	for (const auto& part : parts) {
+		for (const FacePair& pair : part)
+			out[ends[pair.a.value]++] = pair;
+	}
+	const auto byB = [](const FacePair& p, const FacePair& q) { return p.b < q.b; };
+	std::size_t begin = 0;
+	for (const std::size_t end : ends) {
+		using Difference = std::vector<FacePair>::difference_type;
+		if (end > begin + 1)
+			std::sort(out.begin() + static_cast<Difference>(begin),
+			          out.begin() + static_cast<Difference>(end), byB);
+		begin = std::max(begin, end);
+	}
+}
+
+Status descend(const Node& root, const Options& options, Monitor& monitor,
+               std::vector<std::vector<FacePair>>& parts) {
+	Frontier frontier;
+	frontier.nodes.push_back(root);
+	for (int level = 0; level < 3 && frontier.nodes.size() < kManyNodes; ++level) {
+		Status status = expand(options, monitor, frontier);
+		if (!status.ok())
+			return status;
+	}
+	parts.resize(frontier.nodes.size());
+	return parallelForChunks(frontier.nodes.size(), 1, options.threads, monitor,
+	                         [&](std::size_t i, std::size_t, std::size_t) {
+		                         Descent(options, monitor, parts[i]).visit(frontier.nodes[i]);
+	                         });
+}
+
+// The steps of findPairs, which adds the guard against running out of memory between regions.
+Status findPairsUnguarded(const MeshArrays& mesh, const Options& options, Monitor& monitor,
+                          std::vector<FacePair>& out) {
+	std::array<std::array<Point, 2>, 2> operandBoxes;
+	for (std::size_t k = 0; k < 2; ++k) {
+		Status status = findBox(mesh, k, options.threads, monitor, operandBoxes[k]);
+		if (!status.ok())
+			return status;
+	}
+	const Frame frame = makeFrame(operandBoxes[0], operandBoxes[1]);
+	if (frame.empty())
+		return {};
+	std::vector<std::uint8_t> outcodes;
+	Status status = findOutcodes(mesh, frame, options.threads, monitor, outcodes);
+	std::array<std::vector<FaceBox>, 2> boxes;
+	for (std::size_t k = 0; k < 2 && status.ok(); ++k)
+		status = collectBoxes(mesh, k, outcodes, frame, options.threads, monitor, boxes[k]);
+	if (!status.ok() || boxes[0].empty() || boxes[1].empty())
+		return status;
+	std::vector<std::vector<FacePair>> parts;
+	status = descend(makeRoot(frame, boxes), options, monitor, parts);
+	if (status.ok())
+		sortPairs(parts, mesh.faceBegin[1], out);
+	return status;
+}
+
+}  // namespace
+
+Status findPairs(const MeshArrays& mesh, const Options& options, Monitor& monitor,
+                 std::vector<FacePair>& out) {
+	const FpEnvironmentGuard environment;
+	out.clear();
+	try {
+		return findPairsUnguarded(mesh, options, monitor, out);
+	} catch (const std::bad_alloc&) {
+		Status status;
+		status.code = StatusCode::OutOfMemory;
+		return status;
+	}
+}
+
+}  // namespace index_boolean

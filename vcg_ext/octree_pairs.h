@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: 2026 The Index Boolean authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// in: both operands' triangles; out: the pairs of faces, one of each operand, that may meet.
+// Guarantee: every two faces whose boxes touch or overlap are a pair, listed once. The list does
+// not depend on the threads, nor on the octree's options.
+// Source: Mei & Tipper 2013, step 1: an octree over the overlap of both boxes in which a node
+// without a face of either operand dies, so that the work contracts onto the curve.
+#pragma once
+
+#include "arrangement.h"
+#include "monitor.h"
+#include "status.h"
+
+#include <vector>
+
+namespace index_boolean {
+
+// A face of operand 0 and a face of operand 1.
+struct FacePair {
+	FaceId a, b;
+};
+
+// Finds all pairs of faces with boxes that touch or overlap, and a few more whose boxes differ by
+// less than the rounding to float of coordinates taken relative to the operands' common box.
+// \param mesh    both operands; every face's coordinates are finite
+// \param options octree limits and threads
+// \param monitor progress of the stage, and cancel
+// \param out     replaced; sorted by a, then by b
+// \return Ok, Cancelled, OutOfMemory or InternalError
+// Complexity: O(n + m log m + p) for n faces, m of them near the other operand, and p pairs.
+Status findPairs(const MeshArrays& mesh, const Options& options, Monitor& monitor,
+                 std::vector<FacePair>& out);
+
+}  // namespace index_boolean
