@@ -1,0 +1,203 @@
+// SPDX-FileCopyrightText: 2026 The Index Boolean authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Error bounds: a rounded sum errs by at most u|s|, a rounded product by u|p| plus an underflow
+// term. Double-double sums err by at most 3u^2|s|, products by 5u^2|p| (Joldes, Muller, Popescu,
+// "Tight and rigorous error bounds for basic building blocks of double-word arithmetic", 2017);
+// kPairRoundoff is above both.
+#include "exact_number.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace index_boolean {
+
+namespace {
+
+constexpr double kPairRoundoff = 8 * kRoundoff * kRoundoff;
+
+// a + b = sum + error, exactly.
+double twoSum(double a, double b, double& error) {
+	const double sum = a + b;
+	const double bPart = sum - a;
+	error = (a - (sum - bPart)) + (b - bPart);
+	return sum;
+}
+
+// The same for |a| >= |b|.
+double quickTwoSum(double a, double b, double& error) {
+	const double sum = a + b;
+	error = b - (sum - a);
+	return sum;
+}
+
+BoundedPair withRoundoff(double high, double low, double bound) {
+	return {high, low, (bound + kPairRoundoff * std::fabs(high)) * Bounded::kGrow};
+}
+
+}  // namespace
+
+int BoundedPair::sign() const {
+	if (high - bound > std::fabs(low)) {
+		return 1;
+	}
+	if (high + bound < -std::fabs(low)) {
+		return -1;
+	}
+	return isZero() ? 0 : kUnknownSign;
+}
+
+BoundedPair operator+(BoundedPair a, BoundedPair b) {
+	double highError;
+	double lowError;
+	const double highSum = twoSum(a.high, b.high, highError);
+	const double lowSum = twoSum(a.low, b.low, lowError);
+	double low;
+	double high = quickTwoSum(highSum, highError + lowSum, low);
+	high = quickTwoSum(high, low + lowError, low);
+	return withRoundoff(high, low, a.bound + b.bound);
+}
+
+BoundedPair operator-(BoundedPair a, BoundedPair b) {
+	return a + BoundedPair(-b.high, -b.low, b.bound);
+}
+
+BoundedPair operator*(BoundedPair a, BoundedPair b) {
+	if (a.isZero() || b.isZero()) {
+		return BoundedPair(0);
+	}
+	const double product = a.high * b.high;
+	const double productError = std::fma(a.high, b.high, -product);
+	const double cross = std::fma(a.high, b.low, a.low * b.high) + a.low * b.low;
+	double low;
+	const double high = quickTwoSum(product, productError + cross, low);
+	const double sizeA = std::fabs(a.high) + std::fabs(a.low);
+	const double sizeB = std::fabs(b.high) + std::fabs(b.low);
+	BoundedPair result =
+	    withRoundoff(high, low, sizeA * b.bound + a.bound * (sizeB + b.bound));
+	result.bound += kUnderflow;
+	return result;
+}
+
+BoundedPair operator/(BoundedPair a, BoundedPair b) {
+	const double divisor = std::fabs(b.high) - std::fabs(b.low) - b.bound;
+	if (!(divisor > 0)) {
+		return {0, 0, std::numeric_limits<double>::infinity()};
+	}
+	// Two steps of long division, then the remainder bounds the error of what was found.
+	const double first = a.high / b.high;
+	const BoundedPair rest = a - b * BoundedPair(first);
+	const double second = rest.high / b.high;
+	const BoundedPair left = rest - b * BoundedPair(second);
+	double low;
+	const double high = quickTwoSum(first, second, low);
+	const double error = (std::fabs(left.high) + std::fabs(left.low) + left.bound) / divisor;
+	return {high, low, error * (1 + 4 * kRoundoff) * Bounded::kGrow + kUnderflow};
+}
+
+Dyadic::Dyadic(double exact) : exponent_(0) {
+	int exponent = 0;
+	const double fraction = std::frexp(exact, &exponent);
+	auto bits = static_cast<std::int64_t>(std::ldexp(fraction, 53));
+	exponent_ = exponent - 53;
+	while (bits != 0 && bits % 2 == 0) {
+		bits /= 2;
+		++exponent_;
+	}
+	mantissa_ = bits;
+}
+
+namespace {
+
+template <class Combine>
+Dyadic aligned(const Dyadic& a, const Dyadic& b, Combine&& combine) {
+	if (a.exponent() <= b.exponent()) {
+		const auto shift = static_cast<unsigned>(b.exponent() - a.exponent());
+		return {combine(a.mantissa(), Dyadic::Integer(b.mantissa() << shift)), a.exponent()};
+	}
+	const auto shift = static_cast<unsigned>(a.exponent() - b.exponent());
+	return {combine(Dyadic::Integer(a.mantissa() << shift), b.mantissa()), b.exponent()};
+}
+
+}  // namespace
+
+Dyadic operator+(const Dyadic& a, const Dyadic& b) {
+	if (a.sign() == 0 || b.sign() == 0) {
+		return a.sign() == 0 ? b : a;
+	}
+	return aligned(a, b, [](const Dyadic::Integer& x, const Dyadic::Integer& y) {
+		return Dyadic::Integer(x + y);
+	});
+}
+
+Dyadic operator-(const Dyadic& a, const Dyadic& b) {
+	if (b.sign() == 0) {
+		return a;
+	}
+	return aligned(a, b, [](const Dyadic::Integer& x, const Dyadic::Integer& y) {
+		return Dyadic::Integer(x - y);
+	});
+}
+
+Dyadic operator*(const Dyadic& a, const Dyadic& b) {
+	return {Dyadic::Integer(a.mantissa() * b.mantissa()), a.exponent() + b.exponent()};
+}
+
+double roundedQuotient(const Dyadic& numerator, const Dyadic& denominator) {
+	using Integer = Dyadic::Integer;
+	if (numerator.sign() == 0) {
+		return 0;
+	}
+	const bool negative = numerator.sign() * denominator.sign() < 0;
+	Integer dividend = abs(numerator.mantissa());
+	Integer divisor = abs(denominator.mantissa());
+	// Shift so that the integer quotient has 64 or 65 bits.
+	const auto bitsDividend = static_cast<std::int64_t>(msb(dividend));
+	const auto bitsDivisor = static_cast<std::int64_t>(msb(divisor));
+	const std::int64_t shift = 64 - (bitsDividend - bitsDivisor);
+	if (shift > 0) {
+		dividend <<= static_cast<unsigned>(shift);
+	} else {
+		divisor <<= static_cast<unsigned>(-shift);
+	}
+	Integer quotient;
+	Integer remainder;
+	divide_qr(dividend, divisor, quotient, remainder);
+	bool sticky = remainder.sign() != 0;
+	std::int64_t exponent = numerator.exponent() - denominator.exponent() - shift;
+	// Keep 53 bits, or as many as a subnormal result has, and round to nearest, ties to even.
+	const auto top = static_cast<std::int64_t>(msb(quotient));
+	const std::int64_t lowestKept = std::max<std::int64_t>(top - 52, -1074 - exponent);
+	if (lowestKept > top + 1) {
+		return 0;  // below half of the smallest double
+	}
+	const auto drop = static_cast<unsigned>(lowestKept);  // at least 12: the quotient has 64 bits
+	const bool half = bit_test(quotient, drop - 1);
+	sticky = sticky || lsb(quotient) + 1 < drop;
+	auto kept = static_cast<std::uint64_t>(Integer(quotient >> drop));
+	kept += half && (sticky || (kept & 1) != 0) ? 1 : 0;
+	exponent += lowestKept;
+	const double size = exponent > 2000 ? std::numeric_limits<double>::infinity()
+	                                    : std::ldexp(static_cast<double>(kept),
+	                                                 static_cast<int>(exponent));
+	return negative ? -size : size;
+}
+
+bool certainSum(double base, BoundedPair offset, double& rounded) {
+	double error;
+	const double sum = twoSum(base, offset.high, error);
+	double low;
+	const double high = quickTwoSum(sum, error, low);
+	// true = high + low + offset.low +- bound; certain if both ends round to the same double.
+	const double slack = (offset.bound + std::fabs(offset.low)) * (1 + 8 * kRoundoff) +
+	                     std::fabs(low) * 4 * kRoundoff + kUnderflow;
+	const double upper = high + (low + slack);
+	const double lower = high + (low - slack);
+	if (!(upper == lower)) {
+		return false;
+	}
+	rounded = upper;
+	return true;
+}
+
+}  // namespace index_boolean

@@ -1,0 +1,301 @@
+// SPDX-FileCopyrightText: 2026 The Index Boolean authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Each predicate is one formula over a number type (exact_number.h); the cheapest type that can
+// tell the sign decides. Points of the curve are tried by their rounded coordinates first, each
+// known to half an ulp.
+#include "exact_sign.h"
+
+#include <algorithm>
+
+namespace index_boolean {
+
+namespace {
+
+template <class N>
+using Vector = std::array<N, 3>;
+
+template <class N>
+Vector<N> difference(const Point& a, const Point& b) {
+	return {N(a[0]) - N(b[0]), N(a[1]) - N(b[1]), N(a[2]) - N(b[2])};
+}
+
+template <class N>
+N crossComponent(const Vector<N>& a, const Vector<N>& b, int axis) {
+	const auto i = static_cast<std::size_t>(nextCorner(axis));
+	const auto j = static_cast<std::size_t>(previousCorner(axis));
+	return a[i] * b[j] - a[j] * b[i];
+}
+
+template <class N>
+Vector<N> cross(const Vector<N>& a, const Vector<N>& b) {
+	return {crossComponent(a, b, 0), crossComponent(a, b, 1), crossComponent(a, b, 2)};
+}
+
+template <class N>
+N dot(const Vector<N>& a, const Vector<N>& b) {
+	return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+template <class N>
+N orient3dValue(const Point& a, const Point& b, const Point& c, const Point& p) {
+	return dot(cross(difference<N>(b, a), difference<N>(c, a)), difference<N>(p, a));
+}
+
+template <class N>
+N orient2dValue(const Point& a, const Point& b, const Point& c, int axis) {
+	return crossComponent(difference<N>(b, a), difference<N>(c, a), axis);
+}
+
+// A point as base + numerator / denominator.
+template <class N>
+struct Quotient {
+	const Point* base;
+	Vector<N> numerator;
+	N denominator;
+};
+
+// Point on the line p q where it is cut at the fraction top / bottom.
+template <class N>
+Quotient<N> onLine(const Point& p, const Point& q, const N& top, const N& bottom) {
+	const Vector<N> d = difference<N>(q, p);
+	return {&p, {d[0] * top, d[1] * top, d[2] * top}, bottom};
+}
+
+template <class N>
+Quotient<N> meetOfThreePlanes(const std::array<const Point*, 9>& by) {
+	const Point& base = *by[0];
+	const auto normal = [&by](std::size_t i) {
+		return cross(difference<N>(*by[i + 1], *by[i]), difference<N>(*by[i + 2], *by[i]));
+	};
+	const Vector<N> n0 = normal(0);
+	const Vector<N> n1 = normal(3);
+	const Vector<N> n2 = normal(6);
+	// The base lies on the first plane, so only the other two have a distance from it.
+	const N distance1 = dot(n1, difference<N>(*by[3], base));
+	const N distance2 = dot(n2, difference<N>(*by[6], base));
+	const Vector<N> along1 = cross(n2, n0);
+	const Vector<N> along2 = cross(n0, n1);
+	const auto component = [&](std::size_t k) {
+		return distance1 * along1[k] + distance2 * along2[k];
+	};
+	return {&base, {component(0), component(1), component(2)}, dot(n0, cross(n1, n2))};
+}
+
+template <class N>
+Quotient<N> quotient(const ExactPoint& p) {
+	const auto& by = p.by;
+	switch (p.form) {
+	case ExactPoint::Form::Explicit: break;
+	case ExactPoint::Form::LinePlane: {
+		const N first = orient3dValue<N>(*by[2], *by[3], *by[4], *by[0]);
+		const N second = orient3dValue<N>(*by[2], *by[3], *by[4], *by[1]);
+		return onLine<N>(*by[0], *by[1], first, first - second);
+	}
+	case ExactPoint::Form::LineLine: {
+		const N first = orient2dValue<N>(*by[2], *by[3], *by[0], p.axis);
+		const N second = orient2dValue<N>(*by[2], *by[3], *by[1], p.axis);
+		return onLine<N>(*by[0], *by[1], first, first - second);
+	}
+	case ExactPoint::Form::ThreePlanes: return meetOfThreePlanes<N>(by);
+	}
+	return {by[0], {N(0), N(0), N(0)}, N(1)};
+}
+
+// Homogeneous coordinates of a point in the projection along an axis, relative to an origin.
+template <class N>
+struct Homogeneous {
+	N x, y, w;
+};
+
+template <class N>
+Homogeneous<N> homogeneous(const ExactPoint& p, const Point& origin, int axis) {
+	const Quotient<N> q = quotient<N>(p);
+	const auto i = static_cast<std::size_t>(nextCorner(axis));
+	const auto j = static_cast<std::size_t>(previousCorner(axis));
+	const Point& base = *q.base;
+	return {(N(base[i]) - N(origin[i])) * q.denominator + q.numerator[i],
+	        (N(base[j]) - N(origin[j])) * q.denominator + q.numerator[j], q.denominator};
+}
+
+template <class N>
+int homogeneousOrientation(const ExactPoint& a, const ExactPoint& b, const ExactPoint& c,
+                           int axis) {
+	const Point& origin = *a.by[0];
+	const Homogeneous<N> p = homogeneous<N>(a, origin, axis);
+	const Homogeneous<N> q = homogeneous<N>(b, origin, axis);
+	const Homogeneous<N> r = homogeneous<N>(c, origin, axis);
+	const N determinant = p.w * (q.x * r.y - q.y * r.x) - q.w * (p.x * r.y - p.y * r.x) +
+	                      r.w * (p.x * q.y - p.y * q.x);
+	const int weights = signProduct(signProduct(p.w.sign(), q.w.sign()), r.w.sign());
+	return signProduct(determinant.sign(), weights);
+}
+
+int orientationOfRounded(const ExactPoint& a, const ExactPoint& b, const ExactPoint& c, int axis) {
+	const auto coordinate = [](const ExactPoint& p, int k) {
+		const double value = p.rounded[static_cast<std::size_t>(k)];
+		return p.form == ExactPoint::Form::Explicit ? Bounded(value) : Bounded::fromRounded(value);
+	};
+	const int i = nextCorner(axis);
+	const int j = previousCorner(axis);
+	const Bounded ai = coordinate(a, i), aj = coordinate(a, j);
+	const Bounded value = (coordinate(b, i) - ai) * (coordinate(c, j) - aj) -
+	                      (coordinate(b, j) - aj) * (coordinate(c, i) - ai);
+	return value.sign();
+}
+
+ExactPoint make(ExactPoint::Form form, int axis) {
+	ExactPoint p;
+	p.form = form;
+	p.axis = static_cast<std::uint8_t>(axis);
+	return p;
+}
+
+}  // namespace
+
+Bounded orient3dBounded(const Point& a, const Point& b, const Point& c, const Point& p) {
+	const double ax = a[0] - p[0], ay = a[1] - p[1], az = a[2] - p[2];
+	const double bx = b[0] - p[0], by = b[1] - p[1], bz = b[2] - p[2];
+	const double cx = c[0] - p[0], cy = c[1] - p[1], cz = c[2] - p[2];
+	const double bxcy = bx * cy, cxby = cx * by;
+	const double cxay = cx * ay, axcy = ax * cy;
+	const double axby = ax * by, bxay = bx * ay;
+	const double value = az * (bxcy - cxby) + bz * (cxay - axcy) + cz * (axby - bxay);
+	const double sizeA = std::fabs(az), sizeB = std::fabs(bz), sizeC = std::fabs(cz);
+	const double size = (std::fabs(bxcy) + std::fabs(cxby)) * sizeA +
+	                    (std::fabs(cxay) + std::fabs(axcy)) * sizeB +
+	                    (std::fabs(axby) + std::fabs(bxay)) * sizeC;
+	// Eight rounded operations lie on each path, so the error is below 9u times `size`.
+	const double bound = 10 * kRoundoff * size + kUnderflow * (1 + sizeA + sizeB + sizeC);
+	return {-value, bound};  // det(a-p, b-p, c-p) is positive behind the plane
+}
+
+int orient3d(const Point& a, const Point& b, const Point& c, const Point& p) {
+	if (const int sign = orient3dBounded(a, b, c, p).sign(); sign != kUnknownSign) {
+		return sign;
+	}
+	return decideSign([&](auto tag) {
+		return orient3dValue<typename decltype(tag)::Type>(a, b, c, p).sign();
+	});
+}
+
+int exactVolumeSign(const std::vector<Point>& points, const Triangle* begin,
+                    const Triangle* end) {
+	const Point origin{};
+	Dyadic sum(0.0);
+	for (const Triangle* t = begin; t != end; ++t) {
+		sum = sum - orient3dValue<Dyadic>(at(points, (*t)[0]), at(points, (*t)[1]),
+		                                  at(points, (*t)[2]), origin);
+	}
+	return sum.sign();
+}
+
+int orient2d(const Point& a, const Point& b, const Point& c, int axis) {
+	return decideSign([&](auto tag) {
+		return orient2dValue<typename decltype(tag)::Type>(a, b, c, axis).sign();
+	});
+}
+
+ExactPoint ExactPoint::explicitPoint(const Point& p) {
+	ExactPoint point = make(Form::Explicit, 0);
+	point.by[0] = &p;
+	point.rounded = p;
+	return point;
+}
+
+ExactPoint ExactPoint::linePlane(const std::array<const Point*, 5>& by) {
+	ExactPoint point = make(Form::LinePlane, 0);
+	std::copy(by.begin(), by.end(), point.by.begin());
+	return point;
+}
+
+ExactPoint ExactPoint::lineLine(const std::array<const Point*, 4>& by, int axis) {
+	ExactPoint point = make(Form::LineLine, axis);
+	std::copy(by.begin(), by.end(), point.by.begin());
+	return point;
+}
+
+ExactPoint ExactPoint::threePlanes(const std::array<const Point*, 9>& by) {
+	ExactPoint point = make(Form::ThreePlanes, 0);
+	point.by = by;
+	return point;
+}
+
+void roundPoint(ExactPoint& p) {
+	if (p.form == ExactPoint::Form::Explicit) {
+		p.rounded = *p.by[0];
+		return;
+	}
+	const Quotient<BoundedPair> approximate = quotient<BoundedPair>(p);
+	const Point& base = *approximate.base;
+	std::array<bool, 3> certain{};
+	for (std::size_t k = 0; k < 3; ++k) {
+		const BoundedPair offset = approximate.numerator[k] / approximate.denominator;
+		certain[k] = certainSum(base[k], offset, p.rounded[k]);
+	}
+	if (!(certain[0] && certain[1] && certain[2])) {
+		const Quotient<Dyadic> exact = quotient<Dyadic>(p);
+		for (std::size_t k = 0; k < 3; ++k) {
+			const Dyadic numerator = Dyadic(base[k]) * exact.denominator + exact.numerator[k];
+			p.rounded[k] = roundedQuotient(numerator, exact.denominator);
+		}
+	}
+	for (double& coordinate : p.rounded) {
+		coordinate += 0.0;  // one zero, whichever way it was found
+	}
+}
+
+int compareCoordinate(const ExactPoint& a, const ExactPoint& b, int axis) {
+	const auto k = static_cast<std::size_t>(axis);
+	// Correct rounding is monotone: rounded values that differ have the order of the exact ones.
+	if (a.rounded[k] != b.rounded[k]) {
+		return a.rounded[k] < b.rounded[k] ? -1 : 1;
+	}
+	if (a.form == ExactPoint::Form::Explicit && b.form == ExactPoint::Form::Explicit) {
+		return 0;
+	}
+	const Point& origin = *a.by[0];
+	return decideSign([&](auto tag) {
+		using N = typename decltype(tag)::Type;
+		const Homogeneous<N> p = homogeneous<N>(a, origin, previousCorner(axis));
+		const Homogeneous<N> q = homogeneous<N>(b, origin, previousCorner(axis));
+		const int weights = signProduct(p.w.sign(), q.w.sign());
+		return signProduct((p.x * q.w - q.x * p.w).sign(), weights);
+	});
+}
+
+int orient2d(const ExactPoint& a, const ExactPoint& b, const ExactPoint& c, int axis) {
+	if (const int sign = orientationOfRounded(a, b, c, axis); sign != kUnknownSign) {
+		return sign;
+	}
+	return decideSign([&](auto tag) {
+		return homogeneousOrientation<typename decltype(tag)::Type>(a, b, c, axis);
+	});
+}
+
+int projectionAxis(const Triangle& triangle, const std::vector<Point>& points, int& sign) {
+	std::array<const Point*, 3> corners{&at(points, triangle[0]), &at(points, triangle[1]),
+	                                    &at(points, triangle[2])};
+	std::sort(corners.begin(), corners.end(),
+	          [](const Point* a, const Point* b) { return *a < *b; });
+	std::array<double, 3> size{};
+	for (int axis = 0; axis < 3; ++axis) {
+		const Bounded area = orient2dValue<Bounded>(*corners[0], *corners[1], *corners[2], axis);
+		// NaN, from overflow, must not reach the sort: it counts as zero.
+		size[static_cast<std::size_t>(axis)] = std::fmax(0.0, std::fabs(area.value));
+	}
+	std::array<int, 3> axes{0, 1, 2};
+	std::stable_sort(axes.begin(), axes.end(), [&size](int i, int j) {
+		return size[static_cast<std::size_t>(i)] > size[static_cast<std::size_t>(j)];
+	});
+	for (const int axis : axes) {
+		sign = orient2d(at(points, triangle[0]), at(points, triangle[1]),
+		                at(points, triangle[2]), axis);
+		if (sign != 0) {
+			return axis;
+		}
+	}
+	return -1;
+}
+
+}  // namespace index_boolean

@@ -1,0 +1,68 @@
+// SPDX-FileCopyrightText: 2026 The Index Boolean authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The predicates: signs of polynomials in input coordinates, for input points and for the implicit
+// points of the curve, and the correctly rounded coordinates of the latter.
+// Guarantee: every sign is exact for all finite doubles. A point's rounded coordinates do not
+// depend on the order in which its edge's or faces' corners are named.
+// Degrees: orient3d 3; order of two line-plane points 6; orient2d of three of them 11.
+#pragma once
+
+#include "exact_number.h"
+#include "ids.h"
+
+#include <vector>
+
+namespace index_boolean {
+
+// The side of the plane through a, b, c on which p lies: +1 where its normal (b-a)x(c-a) points, 0
+// on it. \pre finite. Complexity: O(1), almost always 40 flops.
+int orient3d(const Point& a, const Point& b, const Point& c, const Point& p);
+
+// The value behind that sign, six times the volume of the tetrahedron a b c p, with an error bound.
+Bounded orient3dBounded(const Point& a, const Point& b, const Point& c, const Point& p);
+
+// The sign of six times the volume that closed triangles enclose, exactly. O(n) big numbers: for
+// where the sum of orient3dBounded cannot tell.
+int exactVolumeSign(const std::vector<Point>& points, const Triangle* begin, const Triangle* end);
+
+// The sign of the component `axis` of (b-a)x(c-a): +1 for a counter-clockwise triangle seen
+// against that axis.
+int orient2d(const Point& a, const Point& b, const Point& c, int axis);
+
+// A point as the input simplices that define it; borrowed pointers into the input's points.
+//   Explicit     by[0]
+//   LinePlane    line by[0] by[1], plane by[2] by[3] by[4]
+//   LineLine     line by[0] by[1], line by[2] by[3], not parallel in the projection along `axis`
+//   ThreePlanes  planes by[0..2], by[3..5], by[6..8]
+// `rounded` are its correctly rounded coordinates, filled by roundPoint (for Explicit: the point).
+struct ExactPoint {
+	enum class Form : std::uint8_t { Explicit, LinePlane, LineLine, ThreePlanes };
+
+	Form form = Form::Explicit;
+	std::uint8_t axis = 0;
+	std::array<const Point*, 9> by{};
+	Point rounded{};
+
+	static ExactPoint explicitPoint(const Point& p);
+	static ExactPoint linePlane(const std::array<const Point*, 5>& by);
+	static ExactPoint lineLine(const std::array<const Point*, 4>& by, int axis);
+	static ExactPoint threePlanes(const std::array<const Point*, 9>& by);
+};
+
+// Fills p.rounded: each coordinate of the exact point rounded to the nearest double, ties to even.
+// \pre the simplices meet in one point
+void roundPoint(ExactPoint& p);
+
+// Compares one coordinate of two points exactly: -1, 0, +1.
+int compareCoordinate(const ExactPoint& a, const ExactPoint& b, int axis);
+
+// As orient2d above, for any points (whose rounded coordinates are filled).
+int orient2d(const ExactPoint& a, const ExactPoint& b, const ExactPoint& c, int axis);
+
+// The axis along which a triangle is projected: that of the largest component of its normal, as
+// computed from its corners in lexicographic order, so that it depends on the corners only.
+// Writes the exact, non-zero sign of that component. \pre the triangle has area
+int projectionAxis(const Triangle& triangle, const std::vector<Point>& points, int& sign);
+
+}  // namespace index_boolean

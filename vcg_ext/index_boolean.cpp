@@ -1,0 +1,186 @@
+// SPDX-FileCopyrightText: 2026 The Index Boolean authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The driver: one line a stage, in the order data flows. Stages are timed here, from outside.
+#include "index_boolean.h"
+
+#include "clean.h"
+#include "labels.h"
+#include "loops.h"
+#include "mesh_checks.h"
+#include "octree_pairs.h"
+#include "operands.h"
+#include "parallel.h"
+#include "retriangulate.h"
+#include "triangle_contact.h"
+#include "weld.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <new>
+
+namespace index_boolean {
+
+namespace {
+
+// Runs one body with exceptions turned into a status, in the default floating-point environment.
+template <class Body>
+Status guarded(Body&& body) {
+	const FpEnvironmentGuard environment;
+	Status status;
+	try {
+		return body();
+	} catch (const std::bad_alloc&) {
+		status.code = StatusCode::OutOfMemory;
+	} catch (...) {
+		status.code = StatusCode::InternalError;
+	}
+	return status;
+}
+
+// Runs stages one after another until one fails; times each.
+class Stages {
+public:
+	Stages(Monitor& monitor, std::vector<StageTime>& times) : monitor_(monitor), times_(times) {}
+
+	// `share` is the stage's part of the progress bar.
+	template <class Stage>
+	void run(const char* name, double share, Stage&& stage) {
+		if (!status_.ok()) {
+			return;
+		}
+		using Clock = std::chrono::steady_clock;
+		monitor_.beginStage(name, done_, done_ + share);
+		done_ += share;
+		const Clock::time_point start = Clock::now();
+		status_ = stage();
+		times_.push_back({name, std::chrono::duration<double>(Clock::now() - start).count()});
+		if (status_.ok() && monitor_.cancelled()) {
+			status_.code = StatusCode::Cancelled;
+		}
+	}
+
+	const Status& status() const { return status_; }
+
+private:
+	Monitor& monitor_;
+	std::vector<StageTime>& times_;
+	Status status_;
+	double done_ = 0;
+};
+
+Status cleanBlock(const Options& options, Monitor& monitor, Block& block) {
+	// In double only pieces have rounded corners; in float every face may have.
+	const bool piecesOnly = options.outputScalar == OutputScalar::Double;
+	const FaceRange range{piecesOnly ? block.firstPiece : 0, block.triangles.size()};
+	std::vector<std::uint32_t> zeroAreaFaces;
+	CleanResult cleaned;
+	Relocation relocated;
+	Status status = findZeroAreaFaces(block.points, block.triangles, range, options.threads,
+	                                  monitor, zeroAreaFaces);
+	if (status.ok()) {
+		status = cleanSurface(block.points, zeroAreaFaces, options.threads, monitor,
+		                      block.triangles, cleaned);
+	}
+	if (status.ok()) {
+		cleaned.faces.apply(block.faceSource);
+		block.zeroAreaFacesRemoved = cleaned.zeroAreaFacesRemoved;
+		status = removeVertices(cleaned.unreferenced, options.threads, monitor, block.points,
+		                        block.triangles, relocated);
+	}
+	if (status.ok()) {
+		relocated.apply(block.vertexSource);
+	}
+	return status;
+}
+
+// The volumes that the laws are about: those of delivered blocks, else as the laws predict them
+// from the operands and another delivered block; NaN if none tells.
+struct BlockVolumes {
+	std::array<double, kOperationCount> delivered;
+
+	double of(Operation operation) const { return delivered[static_cast<std::size_t>(operation)]; }
+};
+
+// The largest |law| over the laws whose blocks have all been delivered.
+double largestLawResidual(const std::array<double, 2>& operand, const BlockVolumes& volumes) {
+	const double both = volumes.of(Operation::Intersection);
+	const double firstOnly = volumes.of(Operation::FirstMinusSecond);
+	const double secondOnly = volumes.of(Operation::SecondMinusFirst);
+	const double laws[] = {
+	    volumes.of(Operation::Union) + both - operand[0] - operand[1],
+	    firstOnly + both - operand[0],
+	    secondOnly + both - operand[1],
+	    volumes.of(Operation::Union) - firstOnly - operand[1],
+	    volumes.of(Operation::Union) - secondOnly - operand[0],
+	    volumes.of(Operation::SymmetricDifference) - firstOnly - secondOnly,
+	    volumes.of(Operation::SymmetricDifference) + 2 * both - operand[0] - operand[1],
+	};
+	double most = 0;
+	for (const double law : laws) {
+		most = std::fmax(most, std::fabs(law));  // fmax passes over NaN: a block not delivered
+	}
+	const double scale = operand[0] + operand[1];
+	return most == 0 ? 0 : most / scale;
+}
+
+}  // namespace
+
+Status arrange(MeshArrays input, const Options& options, Monitor& monitor, Arrangement& out) {
+	return guarded([&] {
+		out = Arrangement{};
+		out.options = options;
+		out.mesh = std::move(input);
+		std::vector<FacePair> pairs;
+		std::vector<NamedSegment> contacts;
+		Stages stages(monitor, out.stageTimes);
+		stages.run("operands", 0.25, [&] { return prepareOperands(out, monitor); });
+		stages.run("octree_pairs", 0.25, [&] { return findPairs(out.mesh, options, monitor, pairs); });
+		stages.run("triangle_contact", 0.15,
+		           [&] { return findContacts(out, pairs, monitor, contacts); });
+		stages.run("weld", 0.1, [&] { return weldPoints(out, contacts, monitor); });
+		stages.run("retriangulate", 0.1, [&] { return retriangulate(out, monitor); });
+		stages.run("loops", 0.05, [&] { return traceLoops(out, monitor); });
+		stages.run("labels", 0.1, [&] { return labelArrangement(out, monitor); });
+		return stages.status();
+	});
+}
+
+Status extractBlock(const Arrangement& arrangement, Operation operation, Monitor& monitor,
+                    Block& out) {
+	return guarded([&] {
+		std::vector<StageTime> times;
+		Stages stages(monitor, times);
+		stages.run("blocks", 0.8,
+		           [&] { return collectBlock(arrangement, operation, monitor, out); });
+		stages.run("clean", 0.2, [&] { return cleanBlock(arrangement.options, monitor, out); });
+		return stages.status();
+	});
+}
+
+Status audit(const Arrangement& arrangement, const std::vector<Block>& blocks, Monitor& monitor,
+             Audit& out) {
+	return guarded([&] {
+		Status status;
+		out = Audit{};
+		BlockVolumes volumes{};
+		volumes.delivered.fill(std::nan(""));
+		for (std::size_t i = 0; i < blocks.size(); ++i) {
+			const BlockMeasure measure = measureSurface(blocks[i].points, blocks[i].triangles,
+			                                            arrangement.options.threads);
+			volumes.delivered[static_cast<std::size_t>(blocks[i].operation)] = measure.volume;
+			out.blocks.push_back(measure);
+			if (!measure.closed) {
+				status.code = StatusCode::InternalError;
+			}
+		}
+		out.volumeLawResidual = largestLawResidual(arrangement.volume, volumes);
+		if (status.ok() && pollCancelled(monitor)) {
+			status.code = StatusCode::Cancelled;
+		}
+		return status;
+	});
+}
+
+}  // namespace index_boolean

@@ -1,0 +1,31 @@
+// SPDX-FileCopyrightText: 2026 The Index Boolean authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// in: delivered blocks; out: volume, area, components, closedness, and how well the volume laws
+// hold. Guarantee: sums are taken over fixed chunks, so the figures do not depend on the threads.
+#pragma once
+
+#include "blocks.h"
+
+namespace index_boolean {
+
+struct BlockMeasure {
+	double volume = 0;
+	double area = 0;
+	std::size_t components = 0;  // vertex-connected
+	bool closed = true;          // every directed edge matched by its opposite
+};
+
+struct Audit {
+	std::vector<BlockMeasure> blocks;  // one per block given
+	double volumeLawResidual = 0;      // the largest |law| / (V(A) + V(B))
+};
+
+// The volume, area, components and closedness of an indexed triangle surface.
+// \param points, triangles a surface whose triangles index points
+// \param threads 0 = all
+BlockMeasure measureSurface(const std::vector<Point>& points,
+                            const std::vector<std::array<std::uint32_t, 3>>& triangles,
+                            int threads);
+
+}  // namespace index_boolean

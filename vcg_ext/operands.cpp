@@ -1,0 +1,377 @@
+// SPDX-FileCopyrightText: 2026 The Index Boolean authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Closedness costs one pass: a signed checksum over directed edges is zero iff each is matched;
+// only a sum that is not zero starts the search for the places.
+#include "operands.h"
+
+#include "clean.h"
+#include "exact_sign.h"
+#include "mesh_checks.h"
+#include "parallel.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cstring>
+
+namespace index_boolean {
+
+namespace {
+
+constexpr std::size_t kGrain = 1 << 15;
+
+Status failure(StatusCode code, int operand, std::size_t count) {
+	Status status;
+	status.code = code;
+	status.operand = operand;
+	status.count = count;
+	return status;
+}
+
+Status checkSizes(const MeshArrays& mesh) {
+	constexpr std::size_t kMost = 0x7fffffff;
+	if (mesh.points.size() > kMost || mesh.triangles.size() > kMost) {
+		return failure(StatusCode::TooLarge, -1,
+		               std::max(mesh.points.size(), mesh.triangles.size()));
+	}
+	for (int k = 0; k < 2; ++k) {
+		const auto operand = static_cast<std::size_t>(k);
+		if (mesh.faceBegin[operand] == mesh.faceBegin[operand + 1]) {
+			return failure(StatusCode::EmptyOperand, k, 0);
+		}
+	}
+	return {};
+}
+
+bool isFinite(const Point& p) {
+	return std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]);
+}
+
+// The first defect of one face's corners, or Ok.
+StatusCode cornerDefect(const MeshArrays& mesh, std::size_t face) {
+	const auto operand = static_cast<std::size_t>(mesh.operandOf(makeId<FaceTag>(face)));
+	StatusCode found = StatusCode::Ok;
+	for (const VertexId v : mesh.triangles[face]) {
+		if (v.value < mesh.vertexBegin[operand] || v.value >= mesh.vertexBegin[operand + 1]) {
+			return StatusCode::IndexOutOfRange;
+		}
+		if (!isFinite(at(mesh.points, v))) {
+			found = StatusCode::NotFinite;
+		}
+	}
+	return found;
+}
+
+// Lists the faces of one operand that have the given defect.
+Status refuseCorners(const MeshArrays& mesh, StatusCode code) {
+	Status status;
+	for (std::size_t face = 0; face < mesh.triangles.size(); ++face) {
+		const int operand = mesh.operandOf(makeId<FaceTag>(face));
+		if (cornerDefect(mesh, face) == code && (status.ok() || status.operand == operand)) {
+			status.code = code;
+			status.operand = operand;
+			status.faces.push_back(static_cast<std::uint32_t>(
+			    face - mesh.faceBegin[static_cast<std::size_t>(operand)]));
+		}
+	}
+	status.count = status.faces.size();
+	return status;
+}
+
+Status checkCorners(const MeshArrays& mesh, int threads, Monitor& monitor) {
+	std::atomic<bool> outOfRange{false};
+	std::atomic<bool> notFinite{false};
+	const Status status = parallelFor(
+	    mesh.triangles.size(), kGrain, threads, monitor,
+	    [&](std::size_t begin, std::size_t end) {
+		    for (std::size_t face = begin; face < end; ++face) {
+			    const StatusCode code = cornerDefect(mesh, face);
+			    if (code != StatusCode::Ok) {
+				    (code == StatusCode::NotFinite ? notFinite : outOfRange) = true;
+			    }
+		    }
+	    });
+	if (!status.ok() || !(outOfRange || notFinite)) {
+		return status;
+	}
+	return refuseCorners(mesh, outOfRange ? StatusCode::IndexOutOfRange : StatusCode::NotFinite);
+}
+
+std::uint64_t coordinateHash(const Point& p) {
+	std::uint64_t hash = 0x9e3779b97f4a7c15u;
+	for (const double coordinate : p) {
+		const double unsignedZero = coordinate + 0.0;
+		std::uint64_t bits;
+		std::memcpy(&bits, &unsignedZero, sizeof bits);
+		hash = (hash ^ bits) * 0xff51afd7ed558ccdu;
+		hash ^= hash >> 32;
+	}
+	return hash;
+}
+
+// For each vertex of one operand, the first with equal coordinates. Returns whether any differ.
+// Open addressing with linear probing, at most half full: one or two cache lines per vertex.
+bool findEqualVertices(const MeshArrays& mesh, std::size_t operand,
+                       std::vector<VertexId>& canonical) {
+	const std::uint32_t begin = mesh.vertexBegin[operand];
+	const std::uint32_t end = mesh.vertexBegin[operand + 1];
+	std::size_t size = 16;
+	while (size < 2 * static_cast<std::size_t>(end - begin)) {
+		size *= 2;
+	}
+	constexpr std::uint32_t kEmpty = 0xffffffffu;
+	std::vector<std::uint32_t> table(size, kEmpty);
+	bool any = false;
+	for (std::uint32_t v = begin; v < end; ++v) {
+		const Point& p = mesh.points[v];
+		std::size_t slot = coordinateHash(p) & (size - 1);
+		while (table[slot] != kEmpty && mesh.points[table[slot]] != p) {
+			slot = (slot + 1) & (size - 1);
+		}
+		if (table[slot] == kEmpty) {
+			table[slot] = v;
+		}
+		canonical[v] = {table[slot]};
+		any = any || table[slot] != v;
+	}
+	return any;
+}
+
+// Replaces each corner by the first vertex with the same coordinates.
+Status weldCorners(MeshArrays& mesh, int threads, Monitor& monitor) {
+	std::vector<VertexId> canonical(mesh.points.size());
+	std::array<bool, 2> any{};
+	Status status = parallelFor(2, 1, threads, monitor, [&](std::size_t begin, std::size_t end) {
+		for (std::size_t operand = begin; operand < end; ++operand) {
+			any[operand] = findEqualVertices(mesh, operand, canonical);
+		}
+	});
+	if (!status.ok() || !(any[0] || any[1])) {
+		return status;
+	}
+	return parallelFor(mesh.triangles.size(), kGrain, threads, monitor,
+	                   [&](std::size_t begin, std::size_t end) {
+		                   for (std::size_t face = begin; face < end; ++face) {
+			                   for (VertexId& v : mesh.triangles[face]) {
+				                   v = at(canonical, v);
+			                   }
+		                   }
+	                   });
+}
+
+bool hasEqualCorners(const Triangle& t) {
+	return t[0] == t[1] || t[1] == t[2] || t[2] == t[0];
+}
+
+// Faces with two equal corners go: their edges cancel, so closedness stays as it is.
+Status dropCollapsedFaces(Arrangement& arrangement) {
+	MeshArrays& mesh = arrangement.mesh;
+	if (std::none_of(mesh.triangles.begin(), mesh.triangles.end(), hasEqualCorners)) {
+		return {};
+	}
+	std::size_t kept = 0;
+	std::vector<std::uint32_t> given;
+	for (std::size_t operand = 0; operand < 2; ++operand) {
+		const std::uint32_t begin = operand == 0 ? 0 : mesh.faceBegin[operand];
+		const std::uint32_t end = mesh.faceBegin[operand + 1];
+		const std::size_t keptBegin = kept;
+		for (std::uint32_t face = begin; face < end; ++face) {
+			if (!hasEqualCorners(mesh.triangles[face])) {
+				mesh.triangles[kept++] = mesh.triangles[face];
+				given.push_back(face - begin);
+			}
+		}
+		if (operand == 1) {
+			mesh.faceBegin = {0, static_cast<std::uint32_t>(keptBegin),
+			                  static_cast<std::uint32_t>(kept)};
+		}
+	}
+	mesh.triangles.resize(kept);
+	arrangement.faceGiven = std::move(given);
+	return checkSizes(mesh);
+}
+
+// Splits the zero-area faces of one operand away across their longest edges: a face of three
+// collinear corners cannot be dropped without opening the surface.
+Status cleanOperand(Arrangement& arrangement, std::size_t operand, Monitor& monitor) {
+	MeshArrays& mesh = arrangement.mesh;
+	const int threads = arrangement.options.threads;
+	const std::uint32_t begin = mesh.faceBegin[operand];
+	const std::uint32_t end = mesh.faceBegin[operand + 1];
+	std::vector<IndexTriangle> triangles;
+	std::vector<std::uint32_t> given;
+	for (std::uint32_t face = begin; face < end; ++face) {
+		const Triangle& t = mesh.triangles[face];
+		triangles.push_back({t[0].value, t[1].value, t[2].value});
+		given.push_back(arrangement.givenFace({face}));
+	}
+	std::vector<std::uint32_t> zeroAreaFaces;
+	CleanResult cleaned;
+	Status status = findZeroAreaFaces(mesh.points, triangles, FaceRange{0, triangles.size()},
+	                                  threads, monitor, zeroAreaFaces);
+	if (status.ok()) {
+		status = cleanSurface(mesh.points, zeroAreaFaces, threads, monitor, triangles, cleaned);
+	}
+	if (!status.ok()) {
+		return status;
+	}
+	cleaned.faces.apply(given);
+
+	std::vector<Triangle> all(mesh.triangles.begin(), mesh.triangles.begin() + begin);
+	std::vector<std::uint32_t> allGiven;
+	for (std::uint32_t face = 0; face < begin; ++face) {
+		allGiven.push_back(arrangement.givenFace({face}));
+	}
+	for (const IndexTriangle& t : triangles) {
+		all.push_back({VertexId{t[0]}, VertexId{t[1]}, VertexId{t[2]}});
+	}
+	allGiven.insert(allGiven.end(), given.begin(), given.end());
+	const auto newEnd = static_cast<std::uint32_t>(all.size());
+	for (std::uint32_t face = end; face < mesh.faceBegin[2]; ++face) {
+		all.push_back(mesh.triangles[face]);
+		allGiven.push_back(arrangement.givenFace({face}));
+	}
+	mesh.faceBegin[operand + 1] = newEnd;
+	mesh.faceBegin[2] = static_cast<std::uint32_t>(all.size());
+	mesh.triangles = std::move(all);
+	arrangement.faceGiven = std::move(allGiven);
+	return {};
+}
+
+Status cleanZeroAreaFaces(Arrangement& arrangement, Monitor& monitor) {
+	std::vector<std::uint32_t> found;
+	Status status =
+	    findZeroAreaFaces(arrangement.mesh, arrangement.options.threads, monitor, found);
+	const std::uint32_t second = arrangement.mesh.faceBegin[1];
+	const bool inSecond = !found.empty() && found.back() >= second;
+	const bool inFirst = !found.empty() && found.front() < second;
+	if (status.ok() && inSecond) {
+		status = cleanOperand(arrangement, 1, monitor);
+	}
+	if (status.ok() && inFirst) {
+		status = cleanOperand(arrangement, 0, monitor);
+	}
+	return status.ok() ? checkSizes(arrangement.mesh) : status;
+}
+
+// Ok, or where an operand is not closed or not consistently oriented.
+Status checkClosed(const Arrangement& arrangement, Monitor& monitor) {
+	const MeshArrays& mesh = arrangement.mesh;
+	for (std::size_t operand = 0; operand < 2; ++operand) {
+		const Triangle* begin = mesh.triangles.data() + mesh.faceBegin[operand];
+		const Triangle* end = mesh.triangles.data() + mesh.faceBegin[operand + 1];
+		std::uint64_t sum = 0;
+		Status status = boundaryChecksum(begin, end, arrangement.options.threads, monitor, sum);
+		if (!status.ok()) {
+			return status;
+		}
+		if (sum == 0) {
+			continue;
+		}
+		UnmatchedEdges found;
+		findUnmatchedEdges(begin, end, found);
+		const bool open = found.borderEdges > 0;
+		status = failure(open ? StatusCode::NotClosed : StatusCode::NotOriented,
+		                 static_cast<int>(operand),
+		                 open ? found.borderEdges : found.conflictingEdges);
+		status.hasPlace = true;
+		status.place = at(mesh.points, found.firstEdge[0]);
+		for (const std::uint32_t face : found.faces) {
+			status.faces.push_back(
+			    arrangement.givenFace({face + mesh.faceBegin[operand]}));
+		}
+		return status;
+	}
+	return {};
+}
+
+struct VolumeSum {
+	double value = 0;
+	double bound = 0;
+};
+
+// Six times the signed volume of one operand and a bound on its error, in fixed chunks.
+Status sumVolume(const Arrangement& arrangement, std::size_t operand, Monitor& monitor,
+                 VolumeSum& out) {
+	const MeshArrays& mesh = arrangement.mesh;
+	const std::size_t first = mesh.faceBegin[operand];
+	const std::size_t count = mesh.faceBegin[operand + 1] - first;
+	const Point& reference = at(mesh.points, mesh.triangles[first][0]);
+	std::vector<VolumeSum> sums(chunkCount(count, kGrain));
+	const Status status = parallelForChunks(
+	    count, kGrain, arrangement.options.threads, monitor,
+	    [&](std::size_t chunk, std::size_t begin, std::size_t end) {
+		    VolumeSum sum;
+		    for (std::size_t face = first + begin; face < first + end; ++face) {
+			    const Triangle& t = mesh.triangles[face];
+			    const Bounded term = orient3dBounded(at(mesh.points, t[0]), at(mesh.points, t[1]),
+			                                         at(mesh.points, t[2]), reference);
+			    sum.value -= term.value;
+			    // Each of the partial sums is rounded once more.
+			    sum.bound += term.bound + 2 * kRoundoff * std::fabs(sum.value);
+		    }
+		    sums[chunk] = sum;
+	    });
+	for (const VolumeSum& sum : sums) {
+		out.value += sum.value;
+		out.bound += sum.bound + 2 * kRoundoff * std::fabs(out.value);
+	}
+	out.bound *= 1 + 1e-6;  // the bound's own rounding: far above n * u for any n that fits
+	return status;
+}
+
+// Decides on which side of each operand its solid lies, and turns it if that is in front.
+Status turnRightSideOut(Arrangement& arrangement, Monitor& monitor) {
+	MeshArrays& mesh = arrangement.mesh;
+	for (std::size_t operand = 0; operand < 2; ++operand) {
+		VolumeSum sum;
+		const Status status = sumVolume(arrangement, operand, monitor, sum);
+		if (!status.ok()) {
+			return status;
+		}
+		Triangle* begin = mesh.triangles.data() + mesh.faceBegin[operand];
+		Triangle* end = mesh.triangles.data() + mesh.faceBegin[operand + 1];
+		int sign = Bounded(sum.value, sum.bound).sign();
+		if (sign == kUnknownSign || sign == 0) {
+			sign = exactVolumeSign(mesh.points, begin, end);
+		}
+		if (sign == 0) {
+			return failure(StatusCode::NoVolume, static_cast<int>(operand), 0);
+		}
+		arrangement.turned[operand] = sign < 0;
+		arrangement.volume[operand] = std::fabs(sum.value) / 6;
+		if (sign < 0) {
+			std::for_each(begin, end, [](Triangle& t) { std::swap(t[1], t[2]); });
+		}
+	}
+	return {};
+}
+
+}  // namespace
+
+Status prepareOperands(Arrangement& arrangement, Monitor& monitor) {
+	MeshArrays& mesh = arrangement.mesh;
+	const int threads = arrangement.options.threads;
+	Status status = checkSizes(mesh);
+	if (status.ok()) {
+		status = checkCorners(mesh, threads, monitor);
+	}
+	if (status.ok()) {
+		status = weldCorners(mesh, threads, monitor);
+	}
+	if (status.ok()) {
+		status = dropCollapsedFaces(arrangement);
+	}
+	if (status.ok()) {
+		status = checkClosed(arrangement, monitor);
+	}
+	if (status.ok()) {
+		status = cleanZeroAreaFaces(arrangement, monitor);
+	}
+	if (status.ok()) {
+		status = turnRightSideOut(arrangement, monitor);
+	}
+	return status;
+}
+
+}  // namespace index_boolean

@@ -1,0 +1,482 @@
+// SPDX-FileCopyrightText: 2026 The Index Boolean authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Each cut face becomes a planar problem of its own: its corners, the points on its edges, the
+// segments inside it, all known by index. Only their order and orientation are asked of geometry.
+#include "retriangulate.h"
+
+#include "exact_sign.h"
+#include "parallel.h"
+#include "planar_sweep.h"
+#include "weld.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace index_boolean {
+
+namespace {
+
+// A segment as one face sees it.
+struct FaceSegment {
+	FaceId face;
+	std::uint32_t segment;
+};
+
+// The regions to both sides of a segment on one face; regions are numbered within a chunk.
+struct FaceSides {
+	std::uint32_t segment;
+	int operand;
+	std::uint32_t left, right;
+};
+
+struct RegionLink {
+	std::uint32_t region;
+	NodeId other;
+};
+
+// What one chunk of cut faces gives.
+struct ChunkPieces {
+	std::vector<CutFace> cutFaces;
+	std::vector<Triangle> pieces;
+	std::vector<std::uint32_t> pieceRegion;
+	std::vector<FaceSides> sides;
+	std::vector<RegionLink> links;
+	std::uint32_t regionCount = 0;
+	FaceId failed = FaceId::none();
+};
+
+// A vertex of the planar problem and the parent's edges that it lies on, as bits.
+struct LocalVertex {
+	VertexId id;
+	std::uint8_t onEdges;
+};
+
+// An edge of the planar problem that a triangulation must contain: a segment of the curve or an
+// interval of the face's border.
+struct FixedEdge {
+	PlanarEdge ranks;
+	std::uint32_t segment;  // or kBorder
+	bool rising;            // the segment runs from the lower to the higher rank
+	NodeId interval;        // of a border edge between two curve points; else none
+};
+constexpr std::uint32_t kBorder = 0xffffffffu;
+
+struct HalfEdge {
+	PlanarEdge ranks;
+	std::uint32_t piece;
+	bool rising;
+};
+
+bool operator<(PlanarEdge a, PlanarEdge b) {
+	return a.left != b.left ? a.left < b.left : a.right < b.right;
+}
+bool operator==(PlanarEdge a, PlanarEdge b) { return a.left == b.left && a.right == b.right; }
+
+// Orientation of points known by rank. Three points on one edge of the face are collinear by name.
+class FaceOrientation : public PlanarOrientation {
+public:
+	FaceOrientation(const std::vector<ExactPoint>& points, const std::vector<LocalVertex>& vertices,
+	                int axis)
+	    : points_(points), vertices_(vertices), axis_(axis) {}
+
+	int operator()(std::uint32_t a, std::uint32_t b, std::uint32_t c) const override {
+		if ((vertices_[a].onEdges & vertices_[b].onEdges & vertices_[c].onEdges) != 0) {
+			return 0;
+		}
+		return orient2d(points_[a], points_[b], points_[c], axis_);
+	}
+
+private:
+	const std::vector<ExactPoint>& points_;
+	const std::vector<LocalVertex>& vertices_;
+	int axis_;
+};
+
+// Retriangulates one face after another, with reused buffers.
+class FaceCutter {
+public:
+	FaceCutter(const Arrangement& arrangement, ChunkPieces& out)
+	    : arrangement_(arrangement), out_(out) {}
+
+	// `segments` are those of the face. False if they cannot be part of one triangulation.
+	bool cut(FaceId face, const FaceSegment* begin, const FaceSegment* end);
+
+private:
+	void collectBorder();
+	void collectSegments(const FaceSegment* begin, const FaceSegment* end);
+	void sortVertices();
+	std::uint32_t rankOf(VertexId id) const;
+	void fixEdges(const FaceSegment* begin, const FaceSegment* end);
+	void fixBorder();
+	bool uniteRegions();
+	void emit();
+
+	const Arrangement& arrangement_;
+	ChunkPieces& out_;
+
+	FaceId face_{};
+	const Triangle* corners_ = nullptr;
+	int axis_ = 0;
+	int sign_ = 1;
+	std::array<std::vector<VertexId>, 3> side_;  // corner i, the points on edge i, corner i+1
+	std::array<const CutEdge*, 3> cutEdge_{};
+	std::vector<LocalVertex> vertices_;  // by rank, once sorted
+	std::vector<ExactPoint> points_;
+	std::vector<std::pair<std::uint32_t, std::uint32_t>> ranks_;  // vertex id, rank
+	std::vector<FixedEdge> fixed_;
+	std::vector<PlanarEdge> planarEdges_;
+	std::vector<std::array<std::uint32_t, 3>> triangles_;
+	std::vector<HalfEdge> halfEdges_;
+	std::vector<std::uint32_t> regionOf_;  // per triangle; a union-find while uniting
+};
+
+const CutEdge* findCutEdge(const Curve& curve, VertexId a, VertexId b) {
+	const std::pair<VertexId, VertexId> key = std::minmax(a, b);
+	const auto it = std::lower_bound(
+	    curve.cutEdges.begin(), curve.cutEdges.end(), key,
+	    [](const CutEdge& e, const std::pair<VertexId, VertexId>& k) {
+		    return e.low != k.first ? e.low < k.first : e.high < k.second;
+	    });
+	const bool found =
+	    it != curve.cutEdges.end() && it->low == key.first && it->high == key.second;
+	return found ? &*it : nullptr;
+}
+
+void FaceCutter::collectBorder() {
+	const Curve& curve = arrangement_.curve;
+	vertices_.clear();
+	for (int i = 0; i < 3; ++i) {
+		const auto k = static_cast<std::size_t>(i);
+		const VertexId from = (*corners_)[k];
+		const VertexId to = (*corners_)[static_cast<std::size_t>(nextCorner(i))];
+		const auto onEdge = static_cast<std::uint8_t>(1 << i);
+		const auto atCorner = static_cast<std::uint8_t>(onEdge | 1 << previousCorner(i));
+		vertices_.push_back({from, atCorner});
+		side_[k].assign(1, from);
+		cutEdge_[k] = findCutEdge(curve, from, to);
+		if (cutEdge_[k] != nullptr) {
+			const PointId* points = curve.pointsOnEdges.data() + cutEdge_[k]->first;
+			for (std::uint32_t p = 0; p < cutEdge_[k]->count; ++p) {
+				side_[k].push_back(arrangement_.vertexOf(points[p]));
+				vertices_.push_back({side_[k].back(), onEdge});
+			}
+			if (to < from) {
+				std::reverse(side_[k].begin() + 1, side_[k].end());
+			}
+		}
+		side_[k].push_back(to);
+	}
+}
+
+void FaceCutter::collectSegments(const FaceSegment* begin, const FaceSegment* end) {
+	for (const FaceSegment* s = begin; s != end; ++s) {
+		const Segment& segment = arrangement_.curve.segments[s->segment];
+		vertices_.push_back({arrangement_.vertexOf(segment.begin), 0});
+		vertices_.push_back({arrangement_.vertexOf(segment.end), 0});
+	}
+	// Of equal ids the entry from the border comes first and stays.
+	std::stable_sort(vertices_.begin(), vertices_.end(),
+	                 [](const LocalVertex& a, const LocalVertex& b) { return a.id < b.id; });
+	vertices_.erase(
+	    std::unique(vertices_.begin(), vertices_.end(),
+	                [](const LocalVertex& a, const LocalVertex& b) { return a.id == b.id; }),
+	    vertices_.end());
+}
+
+// Puts the vertices in lexicographic order of the projected exact coordinates.
+void FaceCutter::sortVertices() {
+	std::vector<std::pair<LocalVertex, ExactPoint>> sorted;
+	sorted.reserve(vertices_.size());
+	for (const LocalVertex& v : vertices_) {
+		sorted.emplace_back(v, exactPoint(arrangement_, v.id));
+	}
+	const int x = nextCorner(axis_);
+	const int y = previousCorner(axis_);
+	std::sort(sorted.begin(), sorted.end(), [x, y](const auto& a, const auto& b) {
+		const int order = compareCoordinate(a.second, b.second, x);
+		return order != 0 ? order < 0 : compareCoordinate(a.second, b.second, y) < 0;
+	});
+	points_.clear();
+	ranks_.clear();
+	for (std::uint32_t rank = 0; rank < sorted.size(); ++rank) {
+		vertices_[rank] = sorted[rank].first;
+		points_.push_back(sorted[rank].second);
+		ranks_.emplace_back(vertices_[rank].id.value, rank);
+	}
+	std::sort(ranks_.begin(), ranks_.end());
+}
+
+std::uint32_t FaceCutter::rankOf(VertexId id) const {
+	const auto it = std::lower_bound(ranks_.begin(), ranks_.end(), std::make_pair(id.value, 0u));
+	return it->second;
+}
+
+PlanarEdge planarEdge(std::uint32_t a, std::uint32_t b) {
+	return {std::min(a, b), std::max(a, b)};
+}
+
+void FaceCutter::fixBorder() {
+	const auto vertexCount = static_cast<std::uint32_t>(arrangement_.mesh.points.size());
+	for (int i = 0; i < 3; ++i) {
+		const std::vector<VertexId>& side = side_[static_cast<std::size_t>(i)];
+		const CutEdge* cutEdge = cutEdge_[static_cast<std::size_t>(i)];
+		const bool reversed = side.back() < side.front();
+		for (std::size_t j = 0; j + 1 < side.size(); ++j) {
+			NodeId interval = NodeId::none();
+			if (j > 0 && j + 2 < side.size()) {
+				// Between two points: named by the one nearer to the edge's low end.
+				const std::size_t fromLow = reversed ? cutEdge->count - 1 - j : j - 1;
+				interval = {vertexCount + cutEdge->first + static_cast<std::uint32_t>(fromLow)};
+			}
+			fixed_.push_back(
+			    {planarEdge(rankOf(side[j]), rankOf(side[j + 1])), kBorder, false, interval});
+		}
+	}
+}
+
+void FaceCutter::fixEdges(const FaceSegment* begin, const FaceSegment* end) {
+	fixed_.clear();
+	fixBorder();
+	for (const FaceSegment* s = begin; s != end; ++s) {
+		const Segment& segment = arrangement_.curve.segments[s->segment];
+		const std::uint32_t from = rankOf(arrangement_.vertexOf(segment.begin));
+		const std::uint32_t to = rankOf(arrangement_.vertexOf(segment.end));
+		fixed_.push_back({planarEdge(from, to), s->segment, from < to, NodeId::none()});
+	}
+	std::sort(fixed_.begin(), fixed_.end(),
+	          [](const FixedEdge& a, const FixedEdge& b) { return a.ranks < b.ranks; });
+	planarEdges_.clear();
+	for (const FixedEdge& e : fixed_) {
+		planarEdges_.push_back(e.ranks);
+	}
+}
+
+std::uint32_t findRoot(std::vector<std::uint32_t>& parent, std::uint32_t i) {
+	while (parent[i] != i) {
+		parent[i] = parent[parent[i]];
+		i = parent[i];
+	}
+	return i;
+}
+
+// Joins pieces across edges that are not fixed, numbers the regions, and records what lies to both
+// sides of the segments and behind the border's intervals. False if a fixed edge is missing.
+bool FaceCutter::uniteRegions() {
+	halfEdges_.clear();
+	for (std::uint32_t piece = 0; piece < triangles_.size(); ++piece) {
+		for (int i = 0; i < 3; ++i) {
+			const std::uint32_t from = triangles_[piece][static_cast<std::size_t>(i)];
+			const std::uint32_t to = triangles_[piece][static_cast<std::size_t>(nextCorner(i))];
+			halfEdges_.push_back({planarEdge(from, to), piece, from < to});
+		}
+	}
+	std::sort(halfEdges_.begin(), halfEdges_.end(), [](const HalfEdge& a, const HalfEdge& b) {
+		return a.ranks == b.ranks ? a.piece < b.piece : a.ranks < b.ranks;
+	});
+	regionOf_.resize(triangles_.size());
+	std::iota(regionOf_.begin(), regionOf_.end(), 0u);
+
+	std::vector<const HalfEdge*> besideFixed;  // the first half-edge along each fixed edge
+	auto fixed = fixed_.begin();
+	for (std::size_t h = 0; h < halfEdges_.size();) {
+		const PlanarEdge ranks = halfEdges_[h].ranks;
+		std::size_t next = h + 1;
+		while (next < halfEdges_.size() && halfEdges_[next].ranks == ranks) {
+			++next;
+		}
+		const bool isFixed = fixed != fixed_.end() && fixed->ranks == ranks;
+		const bool isBorder = isFixed && fixed->segment == kBorder;
+		if (next - h != (isBorder ? 1u : 2u)) {
+			return false;
+		}
+		if (isFixed) {
+			besideFixed.push_back(&halfEdges_[h]);
+			++fixed;
+		} else {
+			const std::uint32_t a = findRoot(regionOf_, halfEdges_[h].piece);
+			const std::uint32_t b = findRoot(regionOf_, halfEdges_[h + 1].piece);
+			regionOf_[std::max(a, b)] = std::min(a, b);
+		}
+		h = next;
+	}
+	if (fixed != fixed_.end()) {
+		return false;
+	}
+
+	// A root is the first piece of its region, so one pass in order numbers them all.
+	for (std::uint32_t piece = 0; piece < regionOf_.size(); ++piece) {
+		const std::uint32_t root = findRoot(regionOf_, piece);
+		regionOf_[piece] = root;
+	}
+	std::vector<std::uint32_t> number(regionOf_.size());
+	for (std::uint32_t piece = 0; piece < regionOf_.size(); ++piece) {
+		number[piece] = regionOf_[piece] == piece ? out_.regionCount++ : number[regionOf_[piece]];
+	}
+	regionOf_ = std::move(number);
+
+	const int operand = arrangement_.mesh.operandOf(face_);
+	for (std::size_t f = 0; f < fixed_.size(); ++f) {
+		const HalfEdge* h = besideFixed[f];
+		const std::uint32_t region = regionOf_[h->piece];
+		if (fixed_[f].segment != kBorder) {
+			const std::uint32_t other = regionOf_[h[1].piece];
+			const bool isLeft = h->rising == fixed_[f].rising;
+			out_.sides.push_back({fixed_[f].segment, operand, isLeft ? region : other,
+			                      isLeft ? other : region});
+		} else if (fixed_[f].interval != NodeId::none()) {
+			out_.links.push_back({region, fixed_[f].interval});
+		}
+	}
+	return true;
+}
+
+void FaceCutter::emit() {
+	out_.cutFaces.push_back({face_, static_cast<std::uint32_t>(out_.pieces.size())});
+	for (std::size_t piece = 0; piece < triangles_.size(); ++piece) {
+		Triangle t{};
+		for (std::size_t i = 0; i < 3; ++i) {
+			t[i] = vertices_[triangles_[piece][i]].id;
+			if (!arrangement_.isCurvePoint(t[i])) {
+				out_.links.push_back({regionOf_[piece], {t[i].value}});
+			}
+		}
+		out_.pieces.push_back(t);
+		out_.pieceRegion.push_back(regionOf_[piece]);
+	}
+}
+
+bool FaceCutter::cut(FaceId face, const FaceSegment* begin, const FaceSegment* end) {
+	face_ = face;
+	corners_ = &at(arrangement_.mesh.triangles, face);
+	axis_ = projectionAxis(*corners_, arrangement_.mesh.points, sign_);
+	if (axis_ < 0) {
+		return false;  // no area: nothing can cross it
+	}
+	collectBorder();
+	const std::size_t borderCount = vertices_.size();
+	collectSegments(begin, end);
+	sortVertices();
+	fixEdges(begin, end);
+	const FaceOrientation orientation(points_, vertices_, axis_);
+	const auto pointCount = static_cast<std::uint32_t>(vertices_.size());
+	if (!triangulatePlanar(pointCount, planarEdges_, orientation, triangles_)) {
+		return false;
+	}
+	// Euler: a polygon with b border points and n points in all has 2n - b - 2 triangles.
+	if (triangles_.size() != 2 * vertices_.size() - borderCount - 2) {
+		return false;
+	}
+	if (sign_ < 0) {
+		for (auto& t : triangles_) {
+			std::swap(t[1], t[2]);
+		}
+	}
+	if (!uniteRegions()) {
+		return false;
+	}
+	emit();
+	return true;
+}
+
+// The segments of every cut face, sorted by face; `first` is where each face's begin.
+void collectFaceSegments(const Curve& curve, std::vector<FaceSegment>& segments,
+                         std::vector<std::uint32_t>& first) {
+	segments.reserve(2 * curve.segments.size());
+	for (std::uint32_t s = 0; s < curve.segments.size(); ++s) {
+		segments.push_back({curve.segments[s].a, s});
+		segments.push_back({curve.segments[s].b, s});
+	}
+	std::sort(segments.begin(), segments.end(), [](const FaceSegment& a, const FaceSegment& b) {
+		return a.face != b.face ? a.face < b.face : a.segment < b.segment;
+	});
+	for (std::uint32_t i = 0; i < segments.size(); ++i) {
+		if (i == 0 || segments[i].face != segments[i - 1].face) {
+			first.push_back(i);
+		}
+	}
+	first.push_back(static_cast<std::uint32_t>(segments.size()));
+}
+
+// Puts the chunks one after another.
+void concatenate(const std::vector<ChunkPieces>& chunks, const Arrangement& arrangement,
+                 Refinement& out) {
+	const auto firstRegion = static_cast<std::uint32_t>(arrangement.mesh.points.size() +
+	                                                    arrangement.curve.pointsOnEdges.size());
+	out.nodeCount = firstRegion;
+	out.sides.resize(arrangement.curve.segments.size());
+	out.isCut.assign(arrangement.mesh.triangles.size(), 0);
+	for (const ChunkPieces& chunk : chunks) {
+		const auto pieceOffset = static_cast<std::uint32_t>(out.pieces.size());
+		const std::uint32_t nodeOffset = out.nodeCount;
+		for (const CutFace& f : chunk.cutFaces) {
+			out.cutFaces.push_back({f.face, f.firstPiece + pieceOffset});
+			at(out.isCut, f.face) = 1;
+		}
+		out.pieces.insert(out.pieces.end(), chunk.pieces.begin(), chunk.pieces.end());
+		for (const std::uint32_t region : chunk.pieceRegion) {
+			out.pieceRegion.push_back({region + nodeOffset});
+		}
+		for (const FaceSides& s : chunk.sides) {
+			SegmentSides& sides = out.sides[s.segment];
+			sides.left[static_cast<std::size_t>(s.operand)] = {s.left + nodeOffset};
+			sides.right[static_cast<std::size_t>(s.operand)] = {s.right + nodeOffset};
+		}
+		for (const RegionLink& link : chunk.links) {
+			out.links.push_back({NodeId{link.region + nodeOffset}, link.other});
+		}
+		out.nodeCount += chunk.regionCount;
+	}
+}
+
+Status refuseFace(const Arrangement& arrangement, FaceId face) {
+	Status status;
+	status.code = StatusCode::SelfIntersecting;
+	status.operand = 1 - arrangement.mesh.operandOf(face);
+	status.hasPlace = true;
+	status.place = at(arrangement.mesh.points, at(arrangement.mesh.triangles, face)[0]);
+	for (const Segment& s : arrangement.curve.segments) {
+		if (s.a == face || s.b == face) {
+			status.faces.push_back(arrangement.givenFace(s.a == face ? s.b : s.a));
+		}
+	}
+	std::sort(status.faces.begin(), status.faces.end());
+	status.faces.erase(std::unique(status.faces.begin(), status.faces.end()), status.faces.end());
+	status.count = status.faces.size();
+	return status;
+}
+
+}  // namespace
+
+Status retriangulate(Arrangement& arrangement, Monitor& monitor) {
+	constexpr std::size_t kGrain = 64;
+	std::vector<FaceSegment> segments;
+	std::vector<std::uint32_t> first;
+	collectFaceSegments(arrangement.curve, segments, first);
+	const std::size_t faceCount = first.size() - 1;
+	std::vector<ChunkPieces> chunks(chunkCount(faceCount, kGrain));
+	const Status status = parallelForChunks(
+	    faceCount, kGrain, arrangement.options.threads, monitor,
+	    [&](std::size_t chunk, std::size_t begin, std::size_t end) {
+		    FaceCutter cutter(arrangement, chunks[chunk]);
+		    for (std::size_t i = begin; i < end && chunks[chunk].failed == FaceId::none(); ++i) {
+			    const FaceSegment* faceBegin = segments.data() + first[i];
+			    const FaceSegment* faceEnd = segments.data() + first[i + 1];
+			    if (!cutter.cut(faceBegin->face, faceBegin, faceEnd)) {
+				    chunks[chunk].failed = faceBegin->face;
+			    }
+		    }
+	    });
+	if (!status.ok()) {
+		return status;
+	}
+	for (const ChunkPieces& chunk : chunks) {
+		if (chunk.failed != FaceId::none()) {
+			return refuseFace(arrangement, chunk.failed);
+		}
+	}
+	concatenate(chunks, arrangement, arrangement.refinement);
+	return {};
+}
+
+}  // namespace index_boolean

@@ -1,0 +1,52 @@
+// SPDX-FileCopyrightText: 2026 The Index Boolean authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Disjoint sets over 0 .. n-1 in one array. The smallest element of a set is its root, so the
+// roots do not depend on the order of the unions.
+#pragma once
+
+#include <cstdint>
+#include <numeric>
+#include <utility>
+#include <vector>
+
+namespace index_boolean {
+
+class UnionFind {
+public:
+	explicit UnionFind(std::size_t n) : parent_(n) {
+		std::iota(parent_.begin(), parent_.end(), 0u);
+	}
+
+	std::uint32_t find(std::uint32_t i) {
+		while (parent_[i] != i) {
+			parent_[i] = parent_[parent_[i]];
+			i = parent_[i];
+		}
+		return i;
+	}
+
+	void unite(std::uint32_t a, std::uint32_t b) {
+		a = find(a);
+		b = find(b);
+		if (a != b) {
+			parent_[a > b ? a : b] = a < b ? a : b;
+		}
+	}
+
+	// Makes every element point at its root, in one pass: parents precede their children.
+	// Afterwards root() may be called from any thread, until the next union.
+	void flatten() {
+		for (std::uint32_t& parent : parent_) {
+			parent = parent_[parent];
+		}
+	}
+	std::uint32_t root(std::uint32_t i) const { return parent_[i]; }
+
+	std::size_t size() const { return parent_.size(); }
+
+private:
+	std::vector<std::uint32_t> parent_;
+};
+
+}  // namespace index_boolean

@@ -1,0 +1,33 @@
+// SPDX-FileCopyrightText: 2026 The Index Boolean authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// in: input vertices as queries; out: the winding number of closed triangles around each.
+// Guarantee: exact; rays never hit an edge, since the query is moved symbolically in x and y.
+// All rays are shot in one pass over the triangles.
+#pragma once
+
+#include "arrangement.h"
+#include "monitor.h"
+#include "status.h"
+
+#include <functional>
+
+namespace index_boolean {
+
+// A ray upwards (+z) from an input vertex.
+struct RayQuery {
+	VertexId from;
+	int winding = 0;         // out
+	bool onSurface = false;  // out: the vertex lies on a triangle; winding is then meaningless
+};
+
+// Computes the winding number of one operand's faces around each query.
+// \param operand whose faces are counted, 0 or 1
+// \param ignored a face for which (query index, face) is true is not counted; may be empty
+// \return Ok, Cancelled, OutOfMemory, InternalError
+// Complexity: O(n + q log q + hits) for n faces and q queries, in parallel.
+Status castRays(const Arrangement& arrangement, std::size_t operand,
+                const std::function<bool(std::size_t query, FaceId face)>& ignored,
+                Monitor& monitor, std::vector<RayQuery>& queries);
+
+}  // namespace index_boolean
