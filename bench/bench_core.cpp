@@ -1,0 +1,350 @@
+// SPDX-FileCopyrightText: 2026 The Index Boolean authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// index_boolean_bench: times the core alone, from arrays to arrays, and prints JSON.
+// Timed is all that a caller of the core waits for: the copy of both operands into its arrays,
+// the arrangement, the blocks, their audit, and freeing the arrangement; not reading or placing.
+// Every run starts anew. Exit status: 0 done, 1 refused or unreadable input, 2 usage.
+#include "operands.h"
+
+#include <vcg_ext/index_boolean.h>
+
+#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
+#include <omp.h>
+#include <sys/resource.h>
+
+#include <algorithm>
+#include <chrono>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+
+namespace {
+
+using namespace index_boolean;
+using index_boolean_bench::Matrix;
+using index_boolean_bench::Surface;
+using nlohmann::ordered_json;
+
+using Operands = std::array<Surface, 2>;
+
+const std::vector<Operation> kFourBlocks{Operation::Union, Operation::Intersection,
+                                         Operation::FirstMinusSecond, Operation::SecondMinusFirst};
+
+struct CommandLine {
+	std::vector<std::string> files;
+	std::size_t spheres = 0, cubeAndSphere = 0;  // faces of a sphere; 0: not asked for
+	std::string placement = "none";
+	std::array<std::vector<double>, 2> transforms;  // 12 or 16 numbers, or none
+	Operation operation = Operation::Union;
+	int threads = 0, runs = 5, warmups = 1;
+	std::string saveArrays;
+};
+
+// ---- operands
+
+Matrix affine(const std::vector<double>& numbers) {
+	Matrix matrix{};
+	std::copy_n(numbers.begin(), matrix.size(), matrix.begin());
+	return matrix;
+}
+
+void place(const CommandLine& commandLine, Operands& operands) {
+	if (commandLine.placement == "standard") {
+		const bool twice = !commandLine.files.empty() &&
+		                   commandLine.files.front() == commandLine.files.back();
+		for (Surface& surface : operands) {
+			index_boolean_bench::normalize(surface);
+		}
+		const Point shift = twice ? Point{0.05, 0.04, 0.03} : Point{0, 0, 0};
+		transform(index_boolean_bench::standardRotation(shift), operands[1]);
+	}
+	for (std::size_t k = 0; k < 2; ++k) {
+		if (!commandLine.transforms[k].empty()) {
+			transform(affine(commandLine.transforms[k]), operands[k]);
+		}
+	}
+}
+
+Operands makeOperands(const CommandLine& commandLine) {
+	Operands operands;
+	if (commandLine.spheres > 0) {
+		operands[0] = operands[1] = index_boolean_bench::makeSphere(commandLine.spheres);
+		transform(index_boolean_bench::standardRotation({0.6, 0.64, 0.48}), operands[1]);
+	} else if (commandLine.cubeAndSphere > 0) {
+		operands[0] = index_boolean_bench::makeCube(1.6);
+		operands[1] = index_boolean_bench::makeSphere(commandLine.cubeAndSphere);
+		transform(index_boolean_bench::standardRotation(), operands[1]);
+	} else {
+		for (std::size_t k = 0; k < 2; ++k) {
+			operands[k] = index_boolean_bench::readSurface(commandLine.files[k]);
+		}
+	}
+	place(commandLine, operands);
+	return operands;
+}
+
+// Raw arrays in the machine's byte order, three numbers a row, for peers to read: points_0.f64,
+// triangles_0.u32 and the same with 1.
+void saveArrays(const Operands& operands, const std::filesystem::path& folder) {
+	std::filesystem::create_directories(folder);
+	const auto save = [&](const std::string& name, const auto& rows) {
+		std::ofstream file;
+		file.exceptions(std::ios::failbit | std::ios::badbit);
+		file.open(folder / name, std::ios::binary);
+		file.write(reinterpret_cast<const char*>(rows.data()),
+		           static_cast<std::streamsize>(rows.size() * sizeof(rows.front())));
+	};
+	for (std::size_t k = 0; k < 2; ++k) {
+		save("points_" + std::to_string(k) + ".f64", operands[k].points);
+		save("triangles_" + std::to_string(k) + ".u32", operands[k].triangles);
+	}
+}
+
+// ---- one run
+
+class StopWatch {
+public:
+	// Seconds since the last lap.
+	double lap() {
+		const Clock::time_point now = Clock::now();
+		return std::chrono::duration<double>(now - std::exchange(last_, now)).count();
+	}
+
+private:
+	using Clock = std::chrono::steady_clock;
+	Clock::time_point last_ = Clock::now();
+};
+
+struct Outcome {
+	Status status;
+	std::vector<std::pair<std::string, double>> stages;  // seconds, in the order they ran
+	double total = 0;
+	LoopCounts loops;
+	std::vector<Block> blocks;
+	Audit audit;
+};
+
+MeshArrays copyIn(const Operands& operands) {
+	MeshArrays arrays;
+	for (std::size_t k = 0; k < 2; ++k) {
+		arrays.vertexBegin[k + 1] =
+			arrays.vertexBegin[k] + static_cast<std::uint32_t>(operands[k].points.size());
+		arrays.faceBegin[k + 1] =
+			arrays.faceBegin[k] + static_cast<std::uint32_t>(operands[k].triangles.size());
+	}
+	arrays.points.reserve(arrays.vertexBegin[2]);
+	arrays.triangles.reserve(arrays.faceBegin[2]);
+	for (std::size_t k = 0; k < 2; ++k) {
+		const std::uint32_t begin = arrays.vertexBegin[k];
+		arrays.points.insert(arrays.points.end(), operands[k].points.begin(),
+		                     operands[k].points.end());
+		for (const auto& t : operands[k].triangles) {
+			arrays.triangles.push_back(
+				{VertexId{begin + t[0]}, VertexId{begin + t[1]}, VertexId{begin + t[2]}});
+		}
+	}
+	return arrays;
+}
+
+// The stages after the arrangement. \return the status of the first that failed
+Status readBlocks(const Arrangement& arrangement, const std::vector<Operation>& operations,
+                  StopWatch& stage, Outcome& out) {
+	Monitor monitor;
+	out.blocks.resize(operations.size());
+	for (std::size_t i = 0; i < operations.size(); ++i) {
+		const Status status = extractBlock(arrangement, operations[i], monitor, out.blocks[i]);
+		if (!status.ok()) {
+			return status;
+		}
+		out.stages.emplace_back(std::string("block ") + operationName(operations[i]), stage.lap());
+	}
+	const Status status = audit(arrangement, out.blocks, monitor, out.audit);
+	out.stages.emplace_back("audit", stage.lap());
+	return status;
+}
+
+Outcome runOnce(const Operands& operands, const Options& options,
+                const std::vector<Operation>& operations) {
+	Outcome outcome;
+	Arrangement arrangement;
+	Monitor monitor;
+	StopWatch total, stage;
+	MeshArrays input = copyIn(operands);
+	outcome.stages.emplace_back("copy in", stage.lap());
+	outcome.status = arrange(std::move(input), options, monitor, arrangement);
+	stage.lap();
+	if (outcome.status.ok()) {
+		for (const StageTime& time : arrangement.stageTimes) {
+			outcome.stages.emplace_back(time.stage, time.seconds);
+		}
+		outcome.status = readBlocks(arrangement, operations, stage, outcome);
+	}
+	outcome.loops = arrangement.loopCounts;
+	arrangement = {};
+	outcome.stages.emplace_back("free", stage.lap());
+	outcome.total = total.lap();
+	return outcome;
+}
+
+// ---- many runs
+
+double median(std::vector<double> values) {
+	std::sort(values.begin(), values.end());
+	const std::size_t middle = values.size() / 2;
+	return values.size() % 2 == 1 ? values[middle] : (values[middle - 1] + values[middle]) / 2;
+}
+
+ordered_json describeBlocks(const Outcome& outcome) {
+	ordered_json blocks;
+	for (std::size_t i = 0; i < outcome.blocks.size(); ++i) {
+		const Block& block = outcome.blocks[i];
+		const BlockMeasure& measure = outcome.audit.blocks[i];
+		blocks[operationName(block.operation)] = {
+			{"faces", block.triangles.size()},   {"vertices", block.points.size()},
+			{"volume", measure.volume},          {"area", measure.area},
+			{"components", measure.components},  {"closed", measure.closed},
+			{"zero_area_faces_removed", block.zeroAreaFacesRemoved}};
+	}
+	return blocks;
+}
+
+// Medians over the runs after the warm-up; blocks and loops of the last run (all are equal).
+// \return a refusal's status, else Ok
+Status measure(const CommandLine& commandLine, const Operands& operands,
+               const std::vector<Operation>& operations, ordered_json& out) {
+	Options options;
+	options.threads = commandLine.threads;
+	std::vector<double> totals;
+	std::vector<std::pair<std::string, std::vector<double>>> stages;
+	for (int run = -commandLine.warmups; run < commandLine.runs; ++run) {
+		const Outcome outcome = runOnce(operands, options, operations);
+		if (!outcome.status.ok()) {
+			return outcome.status;
+		}
+		if (run < 0) {
+			continue;
+		}
+		totals.push_back(outcome.total);
+		stages.resize(outcome.stages.size());
+		for (std::size_t i = 0; i < stages.size(); ++i) {
+			stages[i].first = outcome.stages[i].first;
+			stages[i].second.push_back(outcome.stages[i].second);
+		}
+		out["loops"] = {{"open", outcome.loops.open},
+		                {"hard_closed", outcome.loops.hardClosed},
+		                {"soft_closed", outcome.loops.softClosed}};
+		out["volume_law_residual"] = outcome.audit.volumeLawResidual;
+		out["blocks"] = describeBlocks(outcome);
+	}
+	out["seconds"] = median(totals);
+	out["seconds_each_run"] = totals;
+	for (const auto& [name, seconds] : stages) {
+		out["seconds_per_stage"][name] = median(seconds);
+	}
+	return {};
+}
+
+// The largest resident size so far. Linux counts ru_maxrss in KiB.
+long peakMemory() {
+	rusage usage{};
+	getrusage(RUSAGE_SELF, &usage);
+	return usage.ru_maxrss * 1024;
+}
+
+// ---- the command line
+
+// Exits with 2 on a usage error, with 0 after --help.
+CommandLine parse(int argc, char** argv) {
+	CommandLine out;
+	CLI::App app{"Times the Boolean core alone, from arrays to arrays, and prints JSON.",
+	             "index_boolean_bench"};
+	app.add_option("files", out.files, "Two meshes: PLY, STL, OBJ, OFF")->expected(2);
+	app.add_option("--spheres", out.spheres,
+	               "Two unit spheres of about this many faces, 1 apart, instead of files")
+		->check(CLI::PositiveNumber);
+	app.add_option("--cube-and-sphere", out.cubeAndSphere,
+	               "A cube of side 1.6 and a unit sphere of about this many faces")
+		->check(CLI::PositiveNumber);
+	app.add_option("--place", out.placement,
+	               "standard: each centred, longest side 1, the second then turned by 0.7 rad "
+	               "about (1,2,3), and shifted by (0.05,0.04,0.03) if it is the same file")
+		->check(CLI::IsMember({"none", "standard"}));
+	for (std::size_t k = 0; k < 2; ++k) {
+		app.add_option(k == 0 ? "--transform-first" : "--transform-second", out.transforms[k],
+		               "An affine matrix, row by row: 12 numbers, or 16 of which the last 4 are "
+		               "not used; separated by commas")
+			->delimiter(',')
+			->allow_extra_args(false);
+	}
+	std::map<std::string, Operation> operations;
+	for (int i = 0; i < kOperationCount; ++i) {
+		operations[operationName(static_cast<Operation>(i))] = static_cast<Operation>(i);
+	}
+	app.add_option("--operation", out.operation, "The operation that is timed on its own")
+		->transform(CLI::CheckedTransformer(operations).description(""));
+	app.add_option("--threads", out.threads, "0: as many as OpenMP gives")
+		->check(CLI::NonNegativeNumber);
+	app.add_option("--runs", out.runs, "Timed runs, of which the median is taken")
+		->check(CLI::PositiveNumber);
+	app.add_option("--warmups", out.warmups, "Runs before those")->check(CLI::NonNegativeNumber);
+	app.add_option("--save-arrays", out.saveArrays,
+	               "A folder for the operands as placed: points_0.f64, triangles_0.u32, ...");
+	try {
+		app.parse(argc, argv);
+		const int sources = (out.files.empty() ? 0 : 1) + (out.spheres > 0 ? 1 : 0) +
+		                    (out.cubeAndSphere > 0 ? 1 : 0);
+		if (sources != 1) {
+			throw CLI::ValidationError("give two files, --spheres or --cube-and-sphere");
+		}
+		for (const auto& numbers : out.transforms) {
+			if (!numbers.empty() && numbers.size() != 12 && numbers.size() != 16) {
+				throw CLI::ValidationError("a transform has 12 or 16 numbers");
+			}
+		}
+	} catch (const CLI::ParseError& error) {
+		std::exit(app.exit(error) == 0 ? 0 : 2);
+	}
+	return out;
+}
+
+// \return the exit status
+int run(const CommandLine& commandLine) {
+	const Operands operands = makeOperands(commandLine);
+	if (!commandLine.saveArrays.empty()) {
+		saveArrays(operands, commandLine.saveArrays);
+	}
+	ordered_json out;
+	for (const Surface& surface : operands) {
+		out["operands"].push_back(
+			{{"vertices", surface.points.size()}, {"faces", surface.triangles.size()}});
+	}
+	out["operation"] = operationName(commandLine.operation);
+	out["threads"] = commandLine.threads > 0 ? commandLine.threads : omp_get_max_threads();
+	out["peak_memory_before_bytes"] = peakMemory();
+	Status status = measure(commandLine, operands, {commandLine.operation}, out["one_operation"]);
+	if (status.ok()) {
+		status = measure(commandLine, operands, kFourBlocks, out["four_blocks"]);
+	}
+	out["peak_memory_bytes"] = peakMemory();
+	out["status"] = statusName(status.code);
+	if (!status.ok()) {
+		out["message"] = describe(status);
+		out["operand"] = status.operand;
+	}
+	std::cout << out.dump(2) << '\n';
+	return status.ok() ? 0 : 1;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+	const CommandLine commandLine = parse(argc, argv);
+	try {
+		return run(commandLine);
+	} catch (const std::exception& error) {
+		std::cerr << "index_boolean_bench: " << error.what() << '\n';
+		return 1;
+	}
+}

@@ -1,0 +1,290 @@
+# SPDX-FileCopyrightText: 2026 The Index Boolean authors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Runs the core and the filter beside other Boolean libraries on the same arrays and cores.
+
+in: the built benchmark and plugin, and the folder of INDEXBOOLEAN_MESHES; out: compare.json and
+compare.md (also printed): medians and ratios. Each peer runs in its own process, so that a crash
+or a run over the limit is an entry of the table and not the end.
+"""
+
+import argparse
+import json
+import os
+import platform
+import signal
+import statistics
+import subprocess
+import sys
+from dataclasses import dataclass
+from pathlib import Path
+
+from rich import box
+from rich.console import Console
+from rich.table import Table
+
+HERE = Path(__file__).resolve().parent
+LIBRARIES = ["trueform", "MeshLib", "Manifold", "CGAL", "libigl", "VTK"]
+FILTERS = ["filter", "MeshLab"]
+VOLUME_TOLERANCE = 1e-6  # some peers compute in float32
+OPERATION_SIGNS = {"union": "∪", "intersection": "∩", "first_minus_second": "−"}
+
+
+@dataclass
+class Case:
+    name: str  # with {} for the operation's sign
+    operation: str
+    arguments: list  # of index_boolean_bench
+    files: tuple = ()
+
+    def title(self):
+        return self.name.format(OPERATION_SIGNS[self.operation])
+
+
+def sphere_cases(faces):
+    size = f"{round(faces / 1000)}k" if faces >= 1000 else str(faces)
+    return [
+        Case(f"sphere {{}} sphere (2 × {size})", "union", ["--spheres", str(faces)]),
+        Case(f"cube {{}} sphere ({size})", "first_minus_second", ["--cube-and-sphere", str(faces)]),
+    ]
+
+
+def mesh_cases(folder):
+    def pair(name, operation, first, second):
+        files = (folder / first, folder / second)
+        return Case(name, operation, [*map(str, files), "--place", "standard"], files)
+
+    def flat(matrix):
+        return ",".join(repr(number) for row in matrix for number in row)
+
+    cases = [
+        pair("armadillo {} bunny100k", "first_minus_second", "armadillo.obj", "bunny100k.obj"),
+        pair("fertility {} itself, moved", "union", "fertility.obj", "fertility.obj"),
+        pair("falconstatue {} skull", "intersection", "falconstatue.obj", "skull.obj"),
+    ]
+    for entry in json.loads((folder / "ember_cases.json").read_text()):
+        files = (folder / entry["a"], folder / entry["b"])
+        transforms = [
+            "--transform-first", flat(entry["transform_a"]),
+            "--transform-second", flat(entry["transform_b"]),
+        ]
+        name = f"{files[0].stem} {{}} {files[1].stem}"
+        arguments = [*map(str, files), *transforms]
+        cases.append(Case(name, "first_minus_second", arguments, files))
+    return cases
+
+
+def run_core(args, case, arrays):
+    """The JSON of index_boolean_bench, or {"error": ...}."""
+    command = [
+        args.bench, *case.arguments, "--operation", case.operation,
+        "--runs", str(args.runs), "--save-arrays", str(arrays),
+    ]
+    try:
+        done = subprocess.run(
+            command, capture_output=True, text=True, timeout=args.limit * 2 * (args.runs + 1)
+        )
+    except subprocess.TimeoutExpired:
+        return {"cut": args.limit}
+    if done.returncode < 0:
+        return {"error": signal.Signals(-done.returncode).name}
+    if not done.stdout:
+        return {"error": done.stderr.strip()}
+    core = json.loads(done.stdout)
+    if core["status"] != "ok":
+        core["error"] = core["status"]
+    return core
+
+
+def run_peer(args, name, case, arrays):
+    """What peers.py measured: median seconds and figures, or why there are none."""
+    command = [
+        sys.executable, str(HERE / "peers.py"), name, str(arrays), case.operation,
+        "--runs", str(args.runs), "--limit", str(args.limit), "--plugin", args.plugin,
+    ]
+    done = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True)
+    seconds, peer = [], {}
+    for line in done.stdout.splitlines():
+        if not line.startswith("{"):  # a library's own chatter
+            continue
+        values = json.loads(line)
+        if "seconds" in values:
+            seconds.append(values["seconds"])
+        else:
+            peer.update(values)
+    if done.returncode == -signal.SIGALRM:
+        peer["cut"] = args.limit
+    elif done.returncode < 0:
+        peer["error"] = signal.Signals(-done.returncode).name
+    elif done.returncode > 0 and "error" not in peer:
+        peer["error"] = f"exit status {done.returncode}"
+    if seconds:
+        peer.update(seconds=statistics.median(seconds), seconds_each_run=seconds)
+    return peer
+
+
+def measure(args, cases):
+    rows = []
+    for case in cases:
+        arrays = args.out / "arrays"
+        row = {"case": case.title(), "operation": case.operation, "peers": {}}
+        print(f"{row['case']}: core", end="", file=sys.stderr, flush=True)
+        row["core"] = run_core(args, case, arrays)
+        for name in args.peers:
+            print(f", {name}", end="", file=sys.stderr, flush=True)
+            row["peers"][name] = run_peer(args, name, case, arrays)
+        print(file=sys.stderr)
+        rows.append(row)
+    return rows
+
+
+def duration(seconds):
+    return f"{seconds * 1000:.3g} ms" if seconds < 0.9995 else f"{seconds:.3g} s"
+
+
+def reference_volume(row):
+    """The core's volume, or the peers' median where the core gives none."""
+    core = row["core"].get("one_operation", {}).get("blocks", {}).get(row["operation"])
+    volumes = [peer["volume"] for peer in row["peers"].values() if "volume" in peer]
+    return core["volume"] if core else statistics.median(volumes) if volumes else None
+
+
+def peer_cell(row, name, base):
+    """Seconds and their ratio to `base`, with * for a wrong volume and ! for an open surface."""
+    peer = row["peers"].get(name)
+    if peer is None:
+        return ""
+    if "cut" in peer:
+        ratio = f" (> {peer['cut'] / base:.0f}×)" if base else ""
+        return f"> {duration(peer['cut'])}{ratio}"
+    if "error" in peer:
+        return peer["error"][:40]
+    reference = reference_volume(row)
+    marks = "" if abs(peer["volume"] - reference) <= VOLUME_TOLERANCE * abs(reference) else "*"
+    marks += "" if peer["closed"] else "!"
+    ratio = f" ({peer['seconds'] / base:.1f}×)" if base else ""
+    return f"{duration(peer['seconds'])}{marks}{ratio}"
+
+
+def core_seconds(row, which):
+    return None if "error" in row["core"] else row["core"].get(which, {}).get("seconds")
+
+
+def core_cell(row, which):
+    seconds = core_seconds(row, which)
+    if seconds is not None:
+        return duration(seconds)
+    return row["core"].get("error") or f"> {duration(row['core']['cut'])}"
+
+
+def markdown(headers, rows):
+    """A Markdown table that is aligned to be read as plain text too."""
+    table = Table(*headers, box=box.MARKDOWN)
+    for row in rows:
+        table.add_row(*row)
+    console = Console(width=1000, color_system=None, markup=False)
+    with console.capture() as text:
+        console.print(table)
+    return "\n".join(line.strip() for line in text.get().splitlines() if line.strip())
+
+
+def library_table(rows, peers):
+    names = [name for name in LIBRARIES if name in peers]
+    table = []
+    for row in rows:
+        base = core_seconds(row, "one_operation")
+        table.append(
+            [row["case"], core_cell(row, "one_operation"), core_cell(row, "four_blocks")]
+            + [peer_cell(row, name, base) for name in names]
+        )
+    headers = ["case", "core, one operation", "core, all four", *names]
+    return markdown(headers, table)
+
+
+def filter_table(rows):
+    table = []
+    for row in rows:
+        base = row["peers"]["filter"].get("seconds")
+        others = [peer_cell(row, name, base) for name in ("MeshLab", "trueform")]
+        table.append([row["case"], peer_cell(row, "filter", None), *others])
+    headers = [
+        "case", "generate_index_boolean, all four layers",
+        "MeshLab's own filter, one layer", "trueform, one operation",
+    ]
+    return markdown(headers, table)
+
+
+def processor():
+    lines = Path("/proc/cpuinfo").read_text().splitlines()
+    names = [line.split(":", 1)[1].strip() for line in lines if line.startswith("model name")]
+    return names[0] if names else platform.processor()
+
+
+def report(machine, rows, peers):
+    parts = [
+        f"{machine['processor']}, {machine['cores']} cores, load {machine['load']:.1f} at the "
+        f"start. Medians of {machine['runs']} runs after a warm-up (of one run where it takes more "
+        "than 10 s). In parentheses: the time as a multiple of the first column's. "
+        "`*` the volume is off by more than 1e-6 of itself, `!` the result is not closed.",
+        "Arrays in, arrays out, fresh meshes:\n\n" + library_table(rows, peers),
+    ]
+    if "filter" in peers:
+        parts.append("Filter calls in pymeshlab, layers to layers:\n\n" + filter_table(rows))
+    versions = {
+        peer["package"]: peer["version"]
+        for row in rows for peer in row["peers"].values() if "version" in peer
+    }
+    parts.append(", ".join(f"{name} {number}" for name, number in sorted(versions.items())))
+    return "\n\n".join(part for part in parts if part) + "\n"
+
+
+def parse_arguments():
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    add = parser.add_argument
+    add("--bench", required=True, help="the built index_boolean_bench")
+    add("--plugin", default="", help="the built plugin; without it the filters are left out")
+    add("--out", type=Path, default=Path("out/bench"), help="folder of the results")
+    add("--peers", help="comma-separated, default: all; none: the core alone")
+    add("--cases", default="", help="only cases whose title contains this")
+    add("--spheres", type=int, default=328000, help="faces of the generated spheres")
+    add("--runs", type=int, default=5)
+    add("--limit", type=float, default=120, help="seconds that one run may take")
+    add("--cores", type=int, default=2)
+    args = parser.parse_args()
+    known = LIBRARIES + (FILTERS if args.plugin else [])
+    args.peers = known if args.peers is None else [p for p in args.peers.split(",") if p != "none"]
+    unknown = set(args.peers) - set(known)
+    if unknown:
+        parser.error(f"unknown or without --plugin: {', '.join(sorted(unknown))}")
+    return args
+
+
+def select_cases(args):
+    cases = sphere_cases(args.spheres)
+    folder = os.environ.get("INDEXBOOLEAN_MESHES")
+    if folder:
+        cases += mesh_cases(Path(folder).resolve())
+    else:
+        print("INDEXBOOLEAN_MESHES is not set: only generated spheres", file=sys.stderr)
+    return [case for case in cases if args.cases in case.title()]
+
+
+def main():
+    args = parse_arguments()
+    cores = sorted(os.sched_getaffinity(0))[: args.cores]
+    os.sched_setaffinity(0, cores)  # inherited by all that is measured
+    machine = {
+        "processor": processor(), "cores": len(cores), "load": os.getloadavg()[0],
+        "runs": args.runs, "limit": args.limit,
+    }
+    args.out.mkdir(parents=True, exist_ok=True)
+    rows = measure(args, select_cases(args))
+    text = report(machine, rows, args.peers)
+    results = {"machine": machine, "rows": rows}
+    (args.out / "compare.json").write_text(json.dumps(results, indent=1) + "\n")
+    (args.out / "compare.md").write_text(text)
+    print(text)
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,166 @@
+// SPDX-FileCopyrightText: 2026 The Index Boolean authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "operands.h"
+
+#include <vcg/complex/algorithms/clean.h>
+#include <vcg/complex/complex.h>
+#include <wrap/io_trimesh/import.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <stdexcept>
+
+namespace index_boolean_bench {
+
+namespace {
+
+class FileVertex;
+class FileFace;
+struct FileTypes
+	: vcg::UsedTypes<vcg::Use<FileVertex>::AsVertexType, vcg::Use<FileFace>::AsFaceType> {};
+class FileVertex : public vcg::Vertex<FileTypes, vcg::vertex::Coord3d, vcg::vertex::Normal3d,
+                                      vcg::vertex::BitFlags> {};
+class FileFace : public vcg::Face<FileTypes, vcg::face::VertexRef, vcg::face::Normal3d,
+                                  vcg::face::BitFlags> {};
+class FileMesh : public vcg::tri::TriMesh<std::vector<FileVertex>, std::vector<FileFace>> {};
+
+using Importer = vcg::tri::io::Importer<FileMesh>;
+
+// The corners of an icosahedron, and its faces counter-clockwise from outside.
+constexpr double kGolden = 1.6180339887498949;
+constexpr std::array<Point, 12> kIcosahedronPoints{{
+	{-1, kGolden, 0}, {1, kGolden, 0}, {-1, -kGolden, 0}, {1, -kGolden, 0},
+	{0, -1, kGolden}, {0, 1, kGolden}, {0, -1, -kGolden}, {0, 1, -kGolden},
+	{kGolden, 0, -1}, {kGolden, 0, 1}, {-kGolden, 0, -1}, {-kGolden, 0, 1},
+}};
+constexpr std::array<std::array<std::size_t, 3>, 20> kIcosahedronFaces{{
+	{0, 11, 5}, {0, 5, 1}, {0, 1, 7}, {0, 7, 10}, {0, 10, 11},
+	{1, 5, 9}, {5, 11, 4}, {11, 10, 2}, {10, 7, 6}, {7, 1, 8},
+	{3, 9, 4}, {3, 4, 2}, {3, 2, 6}, {3, 6, 8}, {3, 8, 9},
+	{4, 9, 5}, {2, 4, 11}, {6, 2, 10}, {8, 6, 7}, {9, 8, 1},
+}};
+
+// A point of the subdivided icosahedron: corners and their weights, sorted, unused ones zero.
+// Neighbouring faces name their common points alike, so that one map joins them.
+using Weights = std::array<std::pair<std::size_t, std::size_t>, 3>;
+
+Point onUnitSphere(const Weights& weights) {
+	Point p{0, 0, 0};
+	for (const auto& [corner, weight] : weights) {
+		for (std::size_t i = 0; i < 3; ++i) {
+			p[i] += static_cast<double>(weight) * kIcosahedronPoints[corner][i];
+		}
+	}
+	const double length = std::sqrt(p[0] * p[0] + p[1] * p[1] + p[2] * p[2]);
+	return {p[0] / length, p[1] / length, p[2] / length};
+}
+
+}  // namespace
+
+Surface readSurface(const std::string& path) {
+	FileMesh mesh;
+	const int error = Importer::Open(mesh, path.c_str());
+	if (error != 0 && Importer::ErrorCritical(error)) {
+		throw std::runtime_error(path + ": " + Importer::ErrorMsg(error));
+	}
+	if (mesh.fn == 0) {
+		throw std::runtime_error(path + ": has no face");
+	}
+	vcg::tri::Clean<FileMesh>::RemoveDuplicateVertex(mesh);
+	vcg::tri::Allocator<FileMesh>::CompactEveryVector(mesh);
+
+	Surface surface;
+	for (const FileVertex& vertex : mesh.vert) {
+		surface.points.push_back({vertex.cP()[0], vertex.cP()[1], vertex.cP()[2]});
+	}
+	const auto index = [&](const FileVertex* vertex) {
+		return static_cast<std::uint32_t>(vcg::tri::Index(mesh, vertex));
+	};
+	for (const FileFace& face : mesh.face) {
+		surface.triangles.push_back({index(face.cV(0)), index(face.cV(1)), index(face.cV(2))});
+	}
+	return surface;
+}
+
+Surface makeSphere(std::size_t faces) {
+	const double perFace = static_cast<double>(faces) / 20;
+	const auto frequency = static_cast<std::size_t>(std::max(1.0, std::round(std::sqrt(perFace))));
+	Surface sphere;
+	std::map<Weights, std::uint32_t> numbers;
+	const auto vertexAt = [&](const auto& face, std::size_t i, std::size_t j) {
+		Weights weights{{{face[0], frequency - i - j}, {face[1], i}, {face[2], j}}};
+		for (auto& [corner, weight] : weights) {
+			corner = weight == 0 ? 0 : corner;
+		}
+		std::sort(weights.begin(), weights.end());
+		const auto [entry, isNew] =
+			numbers.try_emplace(weights, static_cast<std::uint32_t>(sphere.points.size()));
+		if (isNew) {
+			sphere.points.push_back(onUnitSphere(weights));
+		}
+		return entry->second;
+	};
+	for (const auto& face : kIcosahedronFaces) {
+		for (std::size_t i = 0; i < frequency; ++i) {
+			for (std::size_t j = 0; i + j < frequency; ++j) {
+				const std::uint32_t a = vertexAt(face, i + 1, j), b = vertexAt(face, i, j + 1);
+				sphere.triangles.push_back({vertexAt(face, i, j), a, b});
+				if (i + j + 1 < frequency) {
+					sphere.triangles.push_back({a, vertexAt(face, i + 1, j + 1), b});
+				}
+			}
+		}
+	}
+	return sphere;
+}
+
+Surface makeCube(double side) {
+	Surface cube;
+	const double h = side / 2;
+	for (unsigned i = 0; i < 8; ++i) {
+		cube.points.push_back({(i & 1U) != 0 ? h : -h, (i & 2U) != 0 ? h : -h,
+		                       (i & 4U) != 0 ? h : -h});
+	}
+	cube.triangles = {{0, 2, 1}, {1, 2, 3}, {4, 5, 6}, {5, 7, 6}, {0, 1, 4}, {1, 5, 4},
+	                  {2, 6, 3}, {3, 6, 7}, {0, 4, 2}, {2, 4, 6}, {1, 3, 5}, {3, 7, 5}};
+	return cube;
+}
+
+void transform(const Matrix& m, Surface& surface) {
+	for (Point& p : surface.points) {
+		p = {m[0] * p[0] + m[1] * p[1] + m[2] * p[2] + m[3],
+		     m[4] * p[0] + m[5] * p[1] + m[6] * p[2] + m[7],
+		     m[8] * p[0] + m[9] * p[1] + m[10] * p[2] + m[11]};
+	}
+}
+
+void normalize(Surface& surface) {
+	Point low = surface.points.front(), high = low;
+	for (const Point& p : surface.points) {
+		for (std::size_t i = 0; i < 3; ++i) {
+			low[i] = std::min(low[i], p[i]);
+			high[i] = std::max(high[i], p[i]);
+		}
+	}
+	const double side = std::max({high[0] - low[0], high[1] - low[1], high[2] - low[2]});
+	for (Point& p : surface.points) {
+		for (std::size_t i = 0; i < 3; ++i) {
+			p[i] = (p[i] - (low[i] + high[i]) / 2) / side;
+		}
+	}
+}
+
+Matrix standardRotation(const Point& translation) {
+	const double length = std::sqrt(14.0), c = std::cos(0.7), s = std::sin(0.7);
+	const Point n{1 / length, 2 / length, 3 / length};
+	const double t = 1 - c;
+	return {t * n[0] * n[0] + c, t * n[0] * n[1] - s * n[2], t * n[0] * n[2] + s * n[1],
+	        translation[0],
+	        t * n[1] * n[0] + s * n[2], t * n[1] * n[1] + c, t * n[1] * n[2] - s * n[0],
+	        translation[1],
+	        t * n[2] * n[0] - s * n[1], t * n[2] * n[1] + s * n[0], t * n[2] * n[2] + c,
+	        translation[2]};
+}
+
+}  // namespace index_boolean_bench

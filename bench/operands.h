@@ -1,0 +1,46 @@
+// SPDX-FileCopyrightText: 2026 The Index Boolean authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What the benchmark intersects: surfaces from files (read by vcglib) or made here, and placed.
+// in: a path or a size; out: plain arrays. Guarantee: the same arrays on every run and machine, so
+// that every peer can be given exactly what the core was given.
+#pragma once
+
+#include <vcg_ext/ids.h>
+
+#include <string>
+#include <vector>
+
+namespace index_boolean_bench {
+
+using index_boolean::Point;
+
+struct Surface {
+	std::vector<Point> points;
+	std::vector<std::array<std::uint32_t, 3>> triangles;
+};
+
+// The upper three rows of an affine matrix, row by row.
+using Matrix = std::array<double, 12>;
+
+// Reads any format of vcglib's importer (PLY, STL, OBJ, OFF, VMI). Vertices at exactly one place
+// are merged, since STL files have three for each face.
+// Throws std::runtime_error with a sentence if the file cannot be read or has no face.
+Surface readSurface(const std::string& path);
+
+// A unit sphere: an icosahedron with each face cut into f * f, f chosen so that 20 * f * f is
+// nearest to `faces` (328000 gives 327680). Faces of nearly one size, so no place is special.
+Surface makeSphere(std::size_t faces);
+
+// An axis-parallel cube around the origin, 12 triangles.
+Surface makeCube(double side);
+
+void transform(const Matrix& matrix, Surface& surface);
+
+// The standard placement: the centre of the bounding box to the origin, its longest side to 1.
+void normalize(Surface& surface);
+
+// The standard rotation, by 0.7 rad about (1, 2, 3), followed by a translation.
+Matrix standardRotation(const Point& translation = {0, 0, 0});
+
+}  // namespace index_boolean_bench
