@@ -9,6 +9,7 @@
 // boxes that meet still meet afterwards, without any margin.
 #include "octree_pairs.h"
 
+#include "bounding_box.h"
 #include "parallel.h"
 
 #include <cmath>
@@ -28,14 +29,13 @@ constexpr std::size_t kPollPairs = 65536;  // pairs tested between two looks at 
 
 // The overlap of both operands' boxes, and the map of its coordinates to about [-1,1].
 struct Frame {
-	Point lo, hi, centre;
+	BoundingBox box;
+	Point centre;
 	double scale;
 	float half;  // of the root's cube in mapped coordinates, a power of two
 
-	bool empty() const { return !(lo[0] <= hi[0] && lo[1] <= hi[1] && lo[2] <= hi[2]); }
-
 	float map(double x, std::size_t axis) const {
-		const double inside = std::min(std::max(x, lo[axis]), hi[axis]);
+		const double inside = std::min(std::max(x, box.lo[axis]), box.hi[axis]);
 		return static_cast<float>((inside - centre[axis]) * scale);
 	}
 };
@@ -345,49 +345,12 @@ void Descent::sweep(const Node& node) {
 	}
 }
 
-// The box of one operand's vertices. Comparisons with NaN are false: such vertices do not count.
-Status findBox(const MeshArrays& mesh, std::size_t operand, int threads, Monitor& monitor,
-               std::array<Point, 2>& box) {
-	constexpr double kMax = std::numeric_limits<double>::max();
-	const std::size_t first = mesh.vertexBegin[operand];
-	const std::size_t count = mesh.vertexBegin[operand + 1] - first;
-	const std::array<Point, 2> nothing = {{{kMax, kMax, kMax}, {-kMax, -kMax, -kMax}}};
-	std::vector<std::array<Point, 2>> parts(chunkCount(count, kGrain), nothing);
-	const Status status =
-	    parallelForChunks(count, kGrain, threads, monitor,
-	                      [&](std::size_t chunk, std::size_t begin, std::size_t end) {
-		                      Point lo = nothing[0];
-		                      Point hi = nothing[1];
-		                      for (std::size_t i = first + begin; i < first + end; ++i) {
-			                      for (std::size_t axis = 0; axis < 3; ++axis) {
-				                      const double x = mesh.points[i][axis];
-				                      lo[axis] = x < lo[axis] ? x : lo[axis];
-				                      hi[axis] = x > hi[axis] ? x : hi[axis];
-			                      }
-		                      }
-		                      parts[chunk] = {lo, hi};
-	                      });
-	box = nothing;
-	for (const auto& part : parts) {
-		for (std::size_t axis = 0; axis < 3; ++axis) {
-			box[0][axis] = std::max(std::min(box[0][axis], part[0][axis]), -kMax);
-			box[1][axis] = std::min(std::max(box[1][axis], part[1][axis]), kMax);
-		}
-	}
-	return status;
-}
-
-Frame makeFrame(const std::array<Point, 2>& a, const std::array<Point, 2>& b) {
+Frame makeFrame(const BoundingBox& common) {
 	Frame frame{};
-	double half = 0;
-	for (std::size_t axis = 0; axis < 3; ++axis) {
-		frame.lo[axis] = std::max(a[0][axis], b[0][axis]);
-		frame.hi[axis] = std::min(a[1][axis], b[1][axis]);
-		frame.centre[axis] = frame.lo[axis] / 2 + frame.hi[axis] / 2;
-		half = std::max(half, frame.hi[axis] / 2 - frame.lo[axis] / 2);
-	}
+	frame.box = common;
+	frame.centre = common.centre();
 	int exponent = 0;
-	std::frexp(half, &exponent);
+	std::frexp(common.halfSize(), &exponent);
 	const int scaleExponent = std::min(-exponent, 1000);
 	frame.scale = std::ldexp(1.0, scaleExponent);
 	frame.half = static_cast<float>(std::ldexp(1.0, exponent + scaleExponent));
@@ -399,8 +362,8 @@ Frame makeFrame(const std::array<Point, 2>& a, const std::array<Point, 2>& b) {
 std::uint8_t outcode(const Point& point, const Frame& frame) {
 	unsigned code = 0;
 	for (unsigned axis = 0; axis < 3; ++axis) {
-		code |= (point[axis] < frame.lo[axis] ? 1U : 0U) << (2 * axis);
-		code |= (point[axis] > frame.hi[axis] ? 2U : 0U) << (2 * axis);
+		code |= (point[axis] < frame.box.lo[axis] ? 1U : 0U) << (2 * axis);
+		code |= (point[axis] > frame.box.hi[axis] ? 2U : 0U) << (2 * axis);
 	}
 	return static_cast<std::uint8_t>(code);
 }
@@ -537,15 +500,18 @@ Status descend(const Node& root, const Options& options, Monitor& monitor,
 // The steps of findPairs, which adds the guard against running out of memory between regions.
 Status findPairsUnguarded(const MeshArrays& mesh, const Options& options, Monitor& monitor,
                           std::vector<FacePair>& out) {
-	std::array<std::array<Point, 2>, 2> operandBoxes;
+	std::array<BoundingBox, 2> operandBoxes;
 	for (std::size_t k = 0; k < 2; ++k) {
-		Status status = findBox(mesh, k, options.threads, monitor, operandBoxes[k]);
+		const Point* points = mesh.points.data() + mesh.vertexBegin[k];
+		const std::size_t count = mesh.vertexBegin[k + 1] - mesh.vertexBegin[k];
+		Status status = findBoundingBox(points, count, options.threads, monitor, operandBoxes[k]);
 		if (!status.ok())
 			return status;
 	}
-	const Frame frame = makeFrame(operandBoxes[0], operandBoxes[1]);
-	if (frame.empty())
+	const BoundingBox common = commonBox(operandBoxes[0], operandBoxes[1]);
+	if (common.empty())
 		return {};
+	const Frame frame = makeFrame(common);
 	std::vector<std::uint8_t> outcodes;
 	Status status = findOutcodes(mesh, frame, options.threads, monitor, outcodes);
 	std::array<std::vector<FaceBox>, 2> boxes;

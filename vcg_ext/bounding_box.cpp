@@ -1,0 +1,71 @@
+// SPDX-FileCopyrightText: 2026 The Index Boolean authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// in: points; out: their box. Minima and maxima of fixed chunks, then of the chunks.
+#include "bounding_box.h"
+
+#include "parallel.h"
+
+#include <algorithm>
+#include <limits>
+#include <vector>
+
+namespace index_boolean {
+
+namespace {
+
+constexpr std::size_t kGrain = 16384;
+constexpr double kMax = std::numeric_limits<double>::max();
+constexpr BoundingBox kEmptyBox = {{kMax, kMax, kMax}, {-kMax, -kMax, -kMax}};
+
+// Comparisons with NaN are false, so NaN changes nothing; infinities are cut off by the caller.
+BoundingBox boxOf(const Point* begin, const Point* end) {
+	BoundingBox box = kEmptyBox;
+	for (const Point* point = begin; point != end; ++point) {
+		for (std::size_t axis = 0; axis < 3; ++axis) {
+			const double x = (*point)[axis];
+			box.lo[axis] = x < box.lo[axis] ? x : box.lo[axis];
+			box.hi[axis] = x > box.hi[axis] ? x : box.hi[axis];
+		}
+	}
+	return box;
+}
+
+}  // namespace
+
+Point BoundingBox::centre() const {
+	return {lo[0] / 2 + hi[0] / 2, lo[1] / 2 + hi[1] / 2, lo[2] / 2 + hi[2] / 2};
+}
+
+double BoundingBox::halfSize() const {
+	return std::max({hi[0] / 2 - lo[0] / 2, hi[1] / 2 - lo[1] / 2, hi[2] / 2 - lo[2] / 2});
+}
+
+Status findBoundingBox(const Point* points, std::size_t count, int threads, Monitor& monitor,
+                       BoundingBox& out) {
+	std::vector<BoundingBox> parts(chunkCount(count, kGrain), kEmptyBox);
+	const Status status =
+	    parallelForChunks(count, kGrain, threads, monitor,
+	                      [&](std::size_t chunk, std::size_t begin, std::size_t end) {
+		                      parts[chunk] = boxOf(points + begin, points + end);
+	                      });
+	out = kEmptyBox;
+	for (const BoundingBox& part : parts) {
+		for (std::size_t axis = 0; axis < 3; ++axis) {
+			out.lo[axis] = std::max(std::min(out.lo[axis], part.lo[axis]), -kMax);
+			out.hi[axis] = std::min(std::max(out.hi[axis], part.hi[axis]), kMax);
+		}
+	}
+	return status;
+}
+
+BoundingBox commonBox(const BoundingBox& a, const BoundingBox& b) {
+	BoundingBox common{};
+	for (std::size_t axis = 0; axis < 3; ++axis) {
+		common.lo[axis] = std::max(a.lo[axis], b.lo[axis]);
+		common.hi[axis] = std::min(a.hi[axis], b.hi[axis]);
+	}
+	return common;
+}
+
+}  // namespace index_boolean

@@ -1,0 +1,39 @@
+// SPDX-FileCopyrightText: 2026 The Index Boolean authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// in: triangles; out: whether each directed edge occurs as often as its reverse, and if not, where
+// it does not. Guarantee: the fast answer is wrong with a probability of 2^-64 only, and only where
+// an open surface is called closed; the slow one is exact.
+#pragma once
+
+#include "ids.h"
+#include "monitor.h"
+#include "status.h"
+
+#include <vector>
+
+namespace index_boolean {
+
+// Sums a 64-bit hash of each edge's vertices over all directed edges of the triangles [begin, end),
+// modulo 2^64: plus from the smaller to the larger vertex, minus in reverse.
+// \param sum 0 iff each directed edge occurs as often as its reverse
+// \return Ok or Cancelled. Complexity: O(n), in parallel.
+Status boundaryChecksum(const Triangle* begin, const Triangle* end, int threads, Monitor& monitor,
+                        std::uint64_t& sum);
+Status boundaryChecksum(const std::array<std::uint32_t, 3>* begin,
+                        const std::array<std::uint32_t, 3>* end, int threads, Monitor& monitor,
+                        std::uint64_t& sum);
+
+// The edges at which a surface is not closed or not consistently oriented.
+struct UnmatchedEdges {
+	std::size_t borderEdges = 0;          // with an odd number of faces
+	std::size_t conflictingEdges = 0;     // with an even number, not as many each way
+	std::array<VertexId, 2> firstEdge{};  // of the borders if any, else of the conflicts
+	std::vector<std::uint32_t> faces;     // at these edges, counted from `begin`; ascending
+};
+
+// Finds all unmatched edges of the triangles [begin, end). "First" is by smaller, then by larger
+// vertex. Complexity: O(n log n), for surfaces that are refused.
+void findUnmatchedEdges(const Triangle* begin, const Triangle* end, UnmatchedEdges& out);
+
+}  // namespace index_boolean
