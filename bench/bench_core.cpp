@@ -12,7 +12,6 @@
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 #include <omp.h>
-#include <sys/resource.h>
 
 #include <algorithm>
 #include <chrono>
@@ -52,8 +51,8 @@ Matrix affine(const std::vector<double>& numbers) {
 
 void place(const CommandLine& commandLine, Operands& operands) {
 	if (commandLine.placement == "standard") {
-		const bool twice = !commandLine.files.empty() &&
-		                   commandLine.files.front() == commandLine.files.back();
+		const bool twice =
+		    !commandLine.files.empty() && commandLine.files.front() == commandLine.files.back();
 		for (Surface& surface : operands) {
 			index_boolean_bench::normalize(surface);
 		}
@@ -130,9 +129,9 @@ MeshArrays copyIn(const Operands& operands) {
 	MeshArrays arrays;
 	for (std::size_t k = 0; k < 2; ++k) {
 		arrays.vertexBegin[k + 1] =
-			arrays.vertexBegin[k] + static_cast<std::uint32_t>(operands[k].points.size());
+		    arrays.vertexBegin[k] + static_cast<std::uint32_t>(operands[k].points.size());
 		arrays.faceBegin[k + 1] =
-			arrays.faceBegin[k] + static_cast<std::uint32_t>(operands[k].triangles.size());
+		    arrays.faceBegin[k] + static_cast<std::uint32_t>(operands[k].triangles.size());
 	}
 	arrays.points.reserve(arrays.vertexBegin[2]);
 	arrays.triangles.reserve(arrays.faceBegin[2]);
@@ -142,7 +141,7 @@ MeshArrays copyIn(const Operands& operands) {
 		                     operands[k].points.end());
 		for (const auto& t : operands[k].triangles) {
 			arrays.triangles.push_back(
-				{VertexId{begin + t[0]}, VertexId{begin + t[1]}, VertexId{begin + t[2]}});
+			    {VertexId{begin + t[0]}, VertexId{begin + t[1]}, VertexId{begin + t[2]}});
 		}
 	}
 	return arrays;
@@ -202,13 +201,31 @@ ordered_json describeBlocks(const Outcome& outcome) {
 		const Block& block = outcome.blocks[i];
 		const BlockMeasure& measure = outcome.audit.blocks[i];
 		blocks[operationName(block.operation)] = {
-			{"faces", block.triangles.size()},   {"vertices", block.points.size()},
-			{"volume", measure.volume},          {"area", measure.area},
-			{"components", measure.components},  {"closed", measure.closed},
-			{"zero_area_faces_removed", block.zeroAreaFacesRemoved}};
+		    {"faces", block.triangles.size()},
+		    {"vertices", block.points.size()},
+		    {"volume", measure.volume},
+		    {"area", measure.area},
+		    {"components", measure.components},
+		    {"closed", measure.closed},
+		    {"zero_area_faces_removed", block.zeroAreaFacesRemoved}};
 	}
 	return blocks;
 }
+
+// A line of /proc/self/status in bytes: VmRSS, the resident memory, or VmHWM, its peak. (The peak
+// of getrusage would count the process that started this one.) 0 where there is no such file.
+std::size_t residentMemory(const std::string& line) {
+	std::ifstream status("/proc/self/status");
+	std::string word;
+	std::size_t kibibytes = 0;
+	while (status >> word && word != line + ":") {
+	}
+	status >> kibibytes;
+	return kibibytes * 1024;
+}
+
+// Makes VmHWM start again from VmRSS.
+void resetPeakMemory() { std::ofstream("/proc/self/clear_refs") << "5"; }
 
 // Medians over the runs after the warm-up; blocks and loops of the last run (all are equal).
 // \return a refusal's status, else Ok
@@ -218,6 +235,7 @@ Status measure(const CommandLine& commandLine, const Operands& operands,
 	options.threads = commandLine.threads;
 	std::vector<double> totals;
 	std::vector<std::pair<std::string, std::vector<double>>> stages;
+	resetPeakMemory();
 	for (int run = -commandLine.warmups; run < commandLine.runs; ++run) {
 		const Outcome outcome = runOnce(operands, options, operations);
 		if (!outcome.status.ok()) {
@@ -238,19 +256,13 @@ Status measure(const CommandLine& commandLine, const Operands& operands,
 		out["volume_law_residual"] = outcome.audit.volumeLawResidual;
 		out["blocks"] = describeBlocks(outcome);
 	}
+	out["peak_memory_bytes"] = residentMemory("VmHWM");
 	out["seconds"] = median(totals);
 	out["seconds_each_run"] = totals;
 	for (const auto& [name, seconds] : stages) {
 		out["seconds_per_stage"][name] = median(seconds);
 	}
 	return {};
-}
-
-// The largest resident size so far. Linux counts ru_maxrss in KiB.
-long peakMemory() {
-	rusage usage{};
-	getrusage(RUSAGE_SELF, &usage);
-	return usage.ru_maxrss * 1024;
 }
 
 // ---- the command line
@@ -263,31 +275,31 @@ CommandLine parse(int argc, char** argv) {
 	app.add_option("files", out.files, "Two meshes: PLY, STL, OBJ, OFF")->expected(2);
 	app.add_option("--spheres", out.spheres,
 	               "Two unit spheres of about this many faces, 1 apart, instead of files")
-		->check(CLI::PositiveNumber);
+	    ->check(CLI::PositiveNumber);
 	app.add_option("--cube-and-sphere", out.cubeAndSphere,
 	               "A cube of side 1.6 and a unit sphere of about this many faces")
-		->check(CLI::PositiveNumber);
+	    ->check(CLI::PositiveNumber);
 	app.add_option("--place", out.placement,
 	               "standard: each centred, longest side 1, the second then turned by 0.7 rad "
 	               "about (1,2,3), and shifted by (0.05,0.04,0.03) if it is the same file")
-		->check(CLI::IsMember({"none", "standard"}));
+	    ->check(CLI::IsMember({"none", "standard"}));
 	for (std::size_t k = 0; k < 2; ++k) {
 		app.add_option(k == 0 ? "--transform-first" : "--transform-second", out.transforms[k],
 		               "An affine matrix, row by row: 12 numbers, or 16 of which the last 4 are "
 		               "not used; separated by commas")
-			->delimiter(',')
-			->allow_extra_args(false);
+		    ->delimiter(',')
+		    ->allow_extra_args(false);
 	}
 	std::map<std::string, Operation> operations;
 	for (int i = 0; i < kOperationCount; ++i) {
 		operations[operationName(static_cast<Operation>(i))] = static_cast<Operation>(i);
 	}
 	app.add_option("--operation", out.operation, "The operation that is timed on its own")
-		->transform(CLI::CheckedTransformer(operations).description(""));
+	    ->transform(CLI::CheckedTransformer(operations).description(""));
 	app.add_option("--threads", out.threads, "0: as many as OpenMP gives")
-		->check(CLI::NonNegativeNumber);
+	    ->check(CLI::NonNegativeNumber);
 	app.add_option("--runs", out.runs, "Timed runs, of which the median is taken")
-		->check(CLI::PositiveNumber);
+	    ->check(CLI::PositiveNumber);
 	app.add_option("--warmups", out.warmups, "Runs before those")->check(CLI::NonNegativeNumber);
 	app.add_option("--save-arrays", out.saveArrays,
 	               "A folder for the operands as placed: points_0.f64, triangles_0.u32, ...");
@@ -318,16 +330,15 @@ int run(const CommandLine& commandLine) {
 	ordered_json out;
 	for (const Surface& surface : operands) {
 		out["operands"].push_back(
-			{{"vertices", surface.points.size()}, {"faces", surface.triangles.size()}});
+		    {{"vertices", surface.points.size()}, {"faces", surface.triangles.size()}});
 	}
 	out["operation"] = operationName(commandLine.operation);
 	out["threads"] = commandLine.threads > 0 ? commandLine.threads : omp_get_max_threads();
-	out["peak_memory_before_bytes"] = peakMemory();
+	out["memory_before_bytes"] = residentMemory("VmRSS");
 	Status status = measure(commandLine, operands, {commandLine.operation}, out["one_operation"]);
 	if (status.ok()) {
 		status = measure(commandLine, operands, kFourBlocks, out["four_blocks"]);
 	}
-	out["peak_memory_bytes"] = peakMemory();
 	out["status"] = statusName(status.code);
 	if (!status.ok()) {
 		out["message"] = describe(status);

@@ -18,11 +18,12 @@ namespace {
 class FileVertex;
 class FileFace;
 struct FileTypes
-	: vcg::UsedTypes<vcg::Use<FileVertex>::AsVertexType, vcg::Use<FileFace>::AsFaceType> {};
+    : vcg::UsedTypes<vcg::Use<FileVertex>::AsVertexType, vcg::Use<FileFace>::AsFaceType> {};
 class FileVertex : public vcg::Vertex<FileTypes, vcg::vertex::Coord3d, vcg::vertex::Normal3d,
                                       vcg::vertex::BitFlags> {};
-class FileFace : public vcg::Face<FileTypes, vcg::face::VertexRef, vcg::face::Normal3d,
-                                  vcg::face::BitFlags> {};
+class FileFace
+    : public vcg::Face<FileTypes, vcg::face::VertexRef, vcg::face::Normal3d, vcg::face::BitFlags> {
+};
 class FileMesh : public vcg::tri::TriMesh<std::vector<FileVertex>, std::vector<FileFace>> {};
 
 using Importer = vcg::tri::io::Importer<FileMesh>;
@@ -30,15 +31,23 @@ using Importer = vcg::tri::io::Importer<FileMesh>;
 // The corners of an icosahedron, and its faces counter-clockwise from outside.
 constexpr double kGolden = 1.6180339887498949;
 constexpr std::array<Point, 12> kIcosahedronPoints{{
-	{-1, kGolden, 0}, {1, kGolden, 0}, {-1, -kGolden, 0}, {1, -kGolden, 0},
-	{0, -1, kGolden}, {0, 1, kGolden}, {0, -1, -kGolden}, {0, 1, -kGolden},
-	{kGolden, 0, -1}, {kGolden, 0, 1}, {-kGolden, 0, -1}, {-kGolden, 0, 1},
+    {-1, kGolden, 0},
+    {1, kGolden, 0},
+    {-1, -kGolden, 0},
+    {1, -kGolden, 0},
+    {0, -1, kGolden},
+    {0, 1, kGolden},
+    {0, -1, -kGolden},
+    {0, 1, -kGolden},
+    {kGolden, 0, -1},
+    {kGolden, 0, 1},
+    {-kGolden, 0, -1},
+    {-kGolden, 0, 1},
 }};
 constexpr std::array<std::array<std::size_t, 3>, 20> kIcosahedronFaces{{
-	{0, 11, 5}, {0, 5, 1}, {0, 1, 7}, {0, 7, 10}, {0, 10, 11},
-	{1, 5, 9}, {5, 11, 4}, {11, 10, 2}, {10, 7, 6}, {7, 1, 8},
-	{3, 9, 4}, {3, 4, 2}, {3, 2, 6}, {3, 6, 8}, {3, 8, 9},
-	{4, 9, 5}, {2, 4, 11}, {6, 2, 10}, {8, 6, 7}, {9, 8, 1},
+    {0, 11, 5},  {0, 5, 1},  {0, 1, 7},  {0, 7, 10}, {0, 10, 11}, {1, 5, 9}, {5, 11, 4},
+    {11, 10, 2}, {10, 7, 6}, {7, 1, 8},  {3, 9, 4},  {3, 4, 2},   {3, 2, 6}, {3, 6, 8},
+    {3, 8, 9},   {4, 9, 5},  {2, 4, 11}, {6, 2, 10}, {8, 6, 7},   {9, 8, 1},
 }};
 
 // A point of the subdivided icosahedron: corners and their weights, sorted, unused ones zero.
@@ -95,7 +104,7 @@ Surface makeSphere(std::size_t faces) {
 		}
 		std::sort(weights.begin(), weights.end());
 		const auto [entry, isNew] =
-			numbers.try_emplace(weights, static_cast<std::uint32_t>(sphere.points.size()));
+		    numbers.try_emplace(weights, static_cast<std::uint32_t>(sphere.points.size()));
 		if (isNew) {
 			sphere.points.push_back(onUnitSphere(weights));
 		}
@@ -119,8 +128,8 @@ Surface makeCube(double side) {
 	Surface cube;
 	const double h = side / 2;
 	for (unsigned i = 0; i < 8; ++i) {
-		cube.points.push_back({(i & 1U) != 0 ? h : -h, (i & 2U) != 0 ? h : -h,
-		                       (i & 4U) != 0 ? h : -h});
+		cube.points.push_back(
+		    {(i & 1U) != 0 ? h : -h, (i & 2U) != 0 ? h : -h, (i & 4U) != 0 ? h : -h});
 	}
 	cube.triangles = {{0, 2, 1}, {1, 2, 3}, {4, 5, 6}, {5, 7, 6}, {0, 1, 4}, {1, 5, 4},
 	                  {2, 6, 3}, {3, 6, 7}, {0, 4, 2}, {2, 4, 6}, {1, 3, 5}, {3, 7, 5}};
@@ -152,15 +161,18 @@ void normalize(Surface& surface) {
 }
 
 Matrix standardRotation(const Point& translation) {
-	const double length = std::sqrt(14.0), c = std::cos(0.7), s = std::sin(0.7);
+	const double length = std::sqrt(14.0), cosine = std::cos(0.7), sine = std::sin(0.7);
 	const Point n{1 / length, 2 / length, 3 / length};
-	const double t = 1 - c;
-	return {t * n[0] * n[0] + c, t * n[0] * n[1] - s * n[2], t * n[0] * n[2] + s * n[1],
-	        translation[0],
-	        t * n[1] * n[0] + s * n[2], t * n[1] * n[1] + c, t * n[1] * n[2] - s * n[0],
-	        translation[1],
-	        t * n[2] * n[0] - s * n[1], t * n[2] * n[1] + s * n[0], t * n[2] * n[2] + c,
-	        translation[2]};
+	const std::array<Point, 3> cross{{{0, -n[2], n[1]}, {n[2], 0, -n[0]}, {-n[1], n[0], 0}}};
+	Matrix matrix{};
+	for (std::size_t row = 0; row < 3; ++row) {
+		for (std::size_t column = 0; column < 3; ++column) {
+			matrix[4 * row + column] = (row == column ? cosine : 0) + sine * cross[row][column] +
+			                           (1 - cosine) * n[row] * n[column];
+		}
+		matrix[4 * row + 3] = translation[row];
+	}
+	return matrix;
 }
 
 }  // namespace index_boolean_bench
