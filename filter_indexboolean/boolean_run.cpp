@@ -1,0 +1,58 @@
+// SPDX-FileCopyrightText: 2026 The Index Boolean authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// One arrangement, then each block from it, then the audit.
+#include "boolean_run.h"
+
+#include "stopwatch.h"
+
+#include <utility>
+
+namespace index_boolean {
+
+namespace {
+
+Status extractBlocks(const Arrangement& arrangement, const std::vector<Operation>& operations,
+                     Progress& progress, std::vector<Block>& blocks) {
+	blocks.resize(operations.size());
+	for (std::size_t i = 0; i < operations.size(); ++i) {
+		Monitor monitor = progress.nextPhase(kBlocksShare / static_cast<double>(operations.size()));
+		const Status status = extractBlock(arrangement, operations[i], monitor, blocks[i]);
+		if (!status.ok())
+			return status;
+	}
+	return {};
+}
+
+}  // namespace
+
+Status runBoolean(MeshArrays input, const BooleanRequest& request, Progress& progress,
+                  BooleanResult& result) {
+	const Stopwatch total;
+	Arrangement arrangement;
+	Monitor arranging = progress.nextPhase(kArrangeShare);
+	Status status = arrange(std::move(input), request.options, arranging, arrangement);
+	if (!status.ok())
+		return status;
+	result.turned = arrangement.turned;
+	result.loopCounts = arrangement.loopCounts;
+	result.stageTimes = arrangement.stageTimes;
+
+	const Stopwatch extractionTime;
+	status = extractBlocks(arrangement, request.operations, progress, result.blocks);
+	if (!status.ok())
+		return status;
+	result.stageTimes.push_back({"blocks", extractionTime.seconds()});
+
+	const Stopwatch auditTime;
+	Monitor auditing = progress.nextPhase(kAuditShare);
+	auditing.beginStage("audit", 0, 1);
+	status = audit(arrangement, result.blocks, auditing, result.audit);
+	if (!status.ok())
+		return status;
+	result.stageTimes.push_back({"audit", auditTime.seconds()});
+	result.seconds = total.seconds();
+	return {};
+}
+
+}  // namespace index_boolean

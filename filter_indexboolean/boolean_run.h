@@ -1,0 +1,41 @@
+// SPDX-FileCopyrightText: 2026 The Index Boolean authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// in: both operands' arrays and a request; out: the blocks asked for, audited, with all that the
+// result map and the log report. Free of MeshLab: any host's adapter runs it.
+#pragma once
+
+#include "progress.h"
+
+#include <vcg_ext/index_boolean.h>
+
+#include <vector>
+
+namespace index_boolean {
+
+struct BooleanRequest {
+	Options options;
+	std::vector<Operation> operations;  // in the order of the layers
+};
+
+struct BooleanResult {
+	std::array<bool, 2> turned{};
+	LoopCounts loopCounts;
+	std::vector<Block> blocks;  // one for each operation requested
+	Audit audit;                // of these blocks
+	std::vector<StageTime> stageTimes;
+	double seconds = 0;  // from arrays to arrays
+};
+
+// \param input    moved in
+// \param progress of which kRunShare is used up
+// \param result   meaningful only if the status is Ok
+// \return any StatusCode
+Status runBoolean(MeshArrays input, const BooleanRequest& request, Progress& progress,
+                  BooleanResult& result);
+
+// What the phases take of the progress bar; the rest is the adapter's.
+constexpr double kArrangeShare = 0.55, kBlocksShare = 0.15, kAuditShare = 0.1;
+constexpr double kRunShare = kArrangeShare + kBlocksShare + kAuditShare;
+
+}  // namespace index_boolean

@@ -1,0 +1,94 @@
+// SPDX-FileCopyrightText: 2026 The Index Boolean authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The texts and defaults of the filters and their parameters.
+#include "filter_definitions.h"
+
+#include <algorithm>
+
+namespace index_boolean {
+
+namespace {
+
+const char* const kPaper =
+    "<br>See:<br>"
+    "<i>Gang Mei, John C. Tipper</i><br>"
+    "<b>\"Simple and Robust Boolean Operations for Triangulated Surfaces\"</b><br>"
+    "arXiv:1308.4434, 2013<br>"
+    "<i>Meijun Zhou, Jiayu Qin, Gang Mei, John C. Tipper</i><br>"
+    "<b>\"Simple and Robust Boolean Operations for Triangulated Surfaces\"</b><br>"
+    "Mathematics 11(12), 2713, 2023";
+
+const char* const kBooleanHelp =
+    "Intersects two closed layers <b>once</b> and makes a new layer for each block asked for: "
+    "their union, their intersection, both differences, the symmetric difference.<br>"
+    "All decisions are exact: there is no tolerance, the result is closed whenever the layers "
+    "are, and the coordinates of all points are correctly rounded. Vertices away from the "
+    "intersection keep their coordinates bit by bit.<br>"
+    "The layers may have any number of components and cavities. They must be closed, consistently "
+    "oriented and free of self-intersections; an inside-out layer is turned, and the log says so. "
+    "A layer that cannot be used is refused with its defect, and the faces in question are left "
+    "selected.<br>"
+    "The layers' matrices are applied. An empty block is an empty layer.<br>";
+
+FilterDefinition booleanDefinition() {
+	using Kind = ParameterKind;
+	return {
+	    FilterId::GenerateIndexBoolean,
+	    "generate_index_boolean",
+	    "Index Boolean: Union, Intersection and Differences",
+	    std::string(kBooleanHelp) + kPaper,
+	    {
+	        {"first_mesh", Kind::Layer, 0, 0, 0, false, "First layer",
+	         "The first operand, A: a closed surface."},
+	        {"second_mesh", Kind::Layer, 1, 0, 0, false, "Second layer",
+	         "The second operand, B: a closed surface, another layer than the first."},
+	        {"union", Kind::Bool, 1, 0, 1, false, "Union",
+	         "A new layer with the boundary of all that is inside A or inside B."},
+	        {"intersection", Kind::Bool, 1, 0, 1, false, "Intersection",
+	         "A new layer with the boundary of all that is inside both A and B."},
+	        {"first_minus_second", Kind::Bool, 1, 0, 1, false, "First minus second",
+	         "A new layer with the boundary of all that is inside A and not inside B."},
+	        {"second_minus_first", Kind::Bool, 1, 0, 1, false, "Second minus first",
+	         "A new layer with the boundary of all that is inside B and not inside A."},
+	        {"symmetric_difference", Kind::Bool, 0, 0, 1, false, "Symmetric difference",
+	         "A new layer with the boundary of all that is inside exactly one of A and B."},
+	        {"octree_max_depth", Kind::Int, 12, 1, 20, true, "Octree: maximum depth",
+	         "How often the octree that finds the pairs of faces to intersect may divide a node: "
+	         "1 to 20. Changes the running time, never the result."},
+	        {"octree_leaf_size", Kind::Int, 0, 0, 1000, true, "Octree: leaf size",
+	         "A node with a faces of A and b faces of B is not divided further if a times b is at "
+	         "most the square of this number: 0 to 1000. 0 lets the cost decide. Changes the "
+	         "running time, never the result."},
+	    },
+	};
+}
+
+}  // namespace
+
+const char* const kPluginName = "FilterIndexBoolean";
+const char* const kVendor = "The Index Boolean authors";
+
+const std::vector<FilterDefinition>& filterDefinitions() {
+	static const std::vector<FilterDefinition> definitions{booleanDefinition()};
+	return definitions;
+}
+
+const FilterDefinition& filterDefinition(FilterId id) {
+	return filterDefinitions()[static_cast<std::size_t>(id)];
+}
+
+const ParameterDefinition& parameterDefinition(FilterId id, const std::string& name) {
+	const std::vector<ParameterDefinition>& parameters = filterDefinition(id).parameters;
+	return *std::find_if(parameters.begin(), parameters.end(),
+	                     [&](const ParameterDefinition& p) { return name == p.name; });
+}
+
+std::string blockLabel(Operation operation, const std::string& first, const std::string& second) {
+	const BlockDefinition& block = kBlockDefinitions[static_cast<std::size_t>(operation)];
+	const std::string& left = block.swapped ? second : first;
+	const std::string& right = block.swapped ? first : second;
+	return left + " " + block.infix + " " + right;
+}
+
+}  // namespace index_boolean

@@ -1,0 +1,68 @@
+// SPDX-FileCopyrightText: 2026 The Index Boolean authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What users see of the filters, as data: names, parameters, help texts. Free of any version of
+// MeshLab's API, so that each host's adapter reads the same list.
+#pragma once
+
+#include <vcg_ext/blocks.h>
+
+#include <array>
+#include <string>
+#include <vector>
+
+namespace index_boolean {
+
+enum class ParameterKind { Layer, Bool, Int };
+
+struct ParameterDefinition {
+	const char* name;
+	ParameterKind kind;
+	int defaultValue;      // Layer: the position in the document; Bool: 0 or 1
+	int minimum, maximum;  // Int: the values that are accepted
+	bool advanced;
+	const char* label;
+	const char* help;
+};
+
+enum class FilterId { GenerateIndexBoolean };
+
+struct FilterDefinition {
+	FilterId id;
+	const char* pythonName;
+	const char* menuName;
+	std::string help;  // with simple HTML
+	std::vector<ParameterDefinition> parameters;
+};
+
+// All filters of the plugin, in the order of the menu.
+const std::vector<FilterDefinition>& filterDefinitions();
+
+const FilterDefinition& filterDefinition(FilterId id);
+
+// The parameter of that name; the filter must have it.
+const ParameterDefinition& parameterDefinition(FilterId id, const std::string& name);
+
+// A block that a user can ask for. Its parameter and its result keys are named by operationName.
+struct BlockDefinition {
+	Operation operation;
+	bool swapped;       // the second layer's label comes first
+	const char* infix;  // between the labels of the two layers
+};
+
+// In the order of the new layers.
+constexpr std::array<BlockDefinition, kOperationCount> kBlockDefinitions{{
+    {Operation::Union, false, "union"},
+    {Operation::Intersection, false, "intersection"},
+    {Operation::FirstMinusSecond, false, "minus"},
+    {Operation::SecondMinusFirst, true, "minus"},
+    {Operation::SymmetricDifference, false, "xor"},
+}};
+
+// The label of a block's layer: "A union B", "B minus A".
+std::string blockLabel(Operation operation, const std::string& first, const std::string& second);
+
+extern const char* const kPluginName;
+extern const char* const kVendor;
+
+}  // namespace index_boolean

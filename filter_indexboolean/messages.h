@@ -1,0 +1,42 @@
+// SPDX-FileCopyrightText: 2026 The Index Boolean authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// in: what happened (a Status, an unusable parameter, a finding); out: the sentences that the user
+// reads. Each refusal names the layer, the defect, how many, where, and what to do about it.
+#pragma once
+
+#include "filter_definitions.h"
+
+#include <vcg_ext/status.h>
+
+#include <array>
+#include <string>
+
+namespace index_boolean {
+
+// How a layer is called in sentences.
+struct LayerName {
+	std::string label;
+	int id;
+};
+using LayerNames = std::array<LayerName, 2>;
+
+// Why the run was refused. The status is not Ok.
+std::string refusalMessage(const Status& status, const LayerNames& layers);
+
+// The parameter names a layer that the document does not have.
+std::string unknownLayerMessage(const ParameterDefinition& parameter, int id);
+std::string sameLayerMessage(const LayerName& layer);
+std::string outOfRangeMessage(const ParameterDefinition& parameter, int value);
+std::string nothingRequestedMessage();
+
+// An exception of the host or the standard library, which no input should lead to.
+std::string unexpectedMessage(const char* what);
+
+// The core has turned the layer's faces: it was inside out, or its matrix mirrors it.
+std::string turnedMessage(const LayerName& layer);
+
+// The block has no face: says what that means for the two layers.
+std::string emptyBlockMessage(Operation operation, const LayerNames& layers);
+
+}  // namespace index_boolean

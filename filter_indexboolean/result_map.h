@@ -1,0 +1,29 @@
+// SPDX-FileCopyrightText: 2026 The Index Boolean authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// in: a run's result and the ids of its layers; out: the map that a filter returns. Only bool, int
+// and double: hosts drop every other type without a word.
+#pragma once
+
+#include "boolean_run.h"
+
+#include <QVariant>
+
+#include <map>
+#include <string>
+#include <vector>
+
+namespace index_boolean {
+
+using ResultMap = std::map<std::string, QVariant>;
+
+// What the adapter has measured around the run.
+struct AdapterSeconds {
+	double readLayers, writeLayers, total;
+};
+
+// \param layerIds the id of each block's layer, in the order of result.blocks
+ResultMap resultMap(const BooleanResult& result, const std::vector<int>& layerIds,
+                    const AdapterSeconds& seconds);
+
+}  // namespace index_boolean
