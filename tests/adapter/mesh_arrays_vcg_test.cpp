@@ -1,0 +1,220 @@
+// SPDX-FileCopyrightText: 2026 The Index Boolean authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The exchange with vcglib, on meshes in float and in double that are none of MeshLab's.
+#include <vcg_ext/mesh_arrays_vcg.h>
+
+#include <gtest/gtest.h>
+#include <omp.h>
+
+#include <cmath>
+#include <limits>
+
+namespace index_boolean {
+namespace {
+
+class FloatVertex;
+class FloatFace;
+struct FloatTypes
+    : vcg::UsedTypes<vcg::Use<FloatVertex>::AsVertexType, vcg::Use<FloatFace>::AsFaceType> {};
+class FloatVertex : public vcg::Vertex<FloatTypes, vcg::vertex::Coord3f, vcg::vertex::Normal3f,
+                                       vcg::vertex::BitFlags> {};
+class FloatFace
+    : public vcg::Face<FloatTypes, vcg::face::VertexRef, vcg::face::Normal3f, vcg::face::BitFlags> {
+};
+using FloatMesh = vcg::tri::TriMesh<std::vector<FloatVertex>, std::vector<FloatFace>>;
+
+class DoubleVertex;
+class DoubleFace;
+struct DoubleTypes
+    : vcg::UsedTypes<vcg::Use<DoubleVertex>::AsVertexType, vcg::Use<DoubleFace>::AsFaceType> {};
+class DoubleVertex : public vcg::Vertex<DoubleTypes, vcg::vertex::Coord3d, vcg::vertex::Normal3d,
+                                        vcg::vertex::BitFlags> {};
+class DoubleFace : public vcg::Face<DoubleTypes, vcg::face::VertexRef, vcg::face::Normal3d,
+                                    vcg::face::BitFlags> {};
+using DoubleMesh = vcg::tri::TriMesh<std::vector<DoubleVertex>, std::vector<DoubleFace>>;
+
+struct Surface {
+	std::vector<Point> points;
+	std::vector<IndexedTriangle> triangles;
+};
+
+Surface tetrahedron(double size) {
+	return {{{0, 0, 0}, {size, 0, 0}, {0, size, 0}, {0, 0, size}},
+	        {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}}};
+}
+
+// A closed torus of n x n quads, large enough for several threads.
+Surface torus(std::uint32_t n) {
+	Surface surface;
+	const double step = 2 * std::acos(-1.0) / n;
+	for (std::uint32_t i = 0; i < n; ++i) {
+		for (std::uint32_t j = 0; j < n; ++j) {
+			const double u = step * i, v = step * j, r = 2 + std::cos(v);
+			surface.points.push_back({r * std::cos(u), r * std::sin(u), std::sin(v)});
+			const std::uint32_t a = i * n + j, b = (i + 1) % n * n + j;
+			const std::uint32_t c = (i + 1) % n * n + (j + 1) % n, d = i * n + (j + 1) % n;
+			surface.triangles.push_back({a, b, c});
+			surface.triangles.push_back({a, c, d});
+		}
+	}
+	return surface;
+}
+
+template <class Mesh>
+void write(const Surface& surface, Mesh& mesh) {
+	Monitor monitor;
+	allocateSurface(surface.points.size(), surface.triangles.size(), mesh);
+	ASSERT_TRUE(fillSurface(surface.points, surface.triangles, monitor, mesh).ok());
+}
+
+template <class Mesh>
+LiveElements read(const Mesh& mesh, const vcg::Matrix44<typename Mesh::ScalarType>& transform,
+                  int operand, MeshArrays& arrays) {
+	Monitor monitor;
+	LiveElements faces;
+	EXPECT_TRUE(appendOperand(mesh, transform, operand, monitor, arrays, faces).ok());
+	return faces;
+}
+
+template <class Mesh>
+class MeshArraysVcg : public testing::Test {
+public:
+	using Matrix = vcg::Matrix44<typename Mesh::ScalarType>;
+};
+using Meshes = testing::Types<FloatMesh, DoubleMesh>;
+TYPED_TEST_SUITE(MeshArraysVcg, Meshes);
+
+TYPED_TEST(MeshArraysVcg, whatIsWrittenReadsBackUnchanged) {
+	const Surface surface = tetrahedron(0.75);
+	TypeParam mesh;
+	write(surface, mesh);
+	MeshArrays arrays;
+	const LiveElements faces = read(mesh, TestFixture::Matrix::Identity(), 0, arrays);
+	EXPECT_EQ(arrays.points, surface.points);
+	ASSERT_EQ(arrays.triangles.size(), surface.triangles.size());
+	for (std::size_t i = 0; i < surface.triangles.size(); ++i) {
+		EXPECT_EQ(faces[i], i);
+		for (std::size_t corner = 0; corner < 3; ++corner)
+			EXPECT_EQ(arrays.triangles[i][corner].value, surface.triangles[i][corner]);
+	}
+	EXPECT_EQ(mesh.bbox.min, (typename TypeParam::CoordType(0, 0, 0)));
+	EXPECT_EQ(mesh.bbox.max, (typename TypeParam::CoordType(0.75, 0.75, 0.75)));
+}
+
+TYPED_TEST(MeshArraysVcg, coordinatesAreTheMeshsOwnProductWithTheMatrix) {
+	TypeParam mesh;
+	write(torus(12), mesh);
+	typename TestFixture::Matrix matrix, shift;
+	matrix.SetRotateRad(typename TypeParam::ScalarType(0.7), {1, 2, 3});
+	shift.SetTranslate(typename TypeParam::ScalarType(0.1), 20, -3);
+	matrix = shift * matrix;
+	MeshArrays arrays;
+	read(mesh, matrix, 0, arrays);
+	for (std::size_t i = 0; i < mesh.vert.size(); ++i) {
+		const typename TypeParam::CoordType expected = matrix * mesh.vert[i].cP();
+		for (int axis = 0; axis < 3; ++axis) {
+			EXPECT_EQ(arrays.points[i][static_cast<std::size_t>(axis)],
+			          static_cast<double>(expected[axis]));
+		}
+	}
+}
+
+TYPED_TEST(MeshArraysVcg, theSecondOperandFollowsTheFirst) {
+	TypeParam first, second;
+	write(tetrahedron(1), first);
+	write(torus(5), second);
+	MeshArrays arrays;
+	read(first, TestFixture::Matrix::Identity(), 0, arrays);
+	read(second, TestFixture::Matrix::Identity(), 1, arrays);
+	EXPECT_EQ(arrays.vertexBegin, (std::array<std::uint32_t, 3>{0, 4, 29}));
+	EXPECT_EQ(arrays.faceBegin, (std::array<std::uint32_t, 3>{0, 4, 54}));
+	EXPECT_EQ(arrays.triangles[4][0], VertexId{4});
+}
+
+TYPED_TEST(MeshArraysVcg, deletedElementsAreLeftOutAndFacesAreFoundAgain) {
+	using Allocator = vcg::tri::Allocator<TypeParam>;
+	TypeParam mesh;
+	Surface surface = tetrahedron(1);
+	surface.points.insert(surface.points.begin() + 1, Point{9, 9, 9});
+	surface.triangles = {{0, 3, 2}, {1, 1, 1}, {0, 2, 4}, {0, 4, 3}, {2, 3, 4}};
+	write(surface, mesh);
+	Allocator::DeleteFace(mesh, mesh.face[1]);
+	Allocator::DeleteVertex(mesh, mesh.vert[1]);
+	MeshArrays arrays;
+	const LiveElements faces = read(mesh, TestFixture::Matrix::Identity(), 0, arrays);
+	EXPECT_EQ(arrays.points, tetrahedron(1).points);
+	ASSERT_EQ(arrays.triangles.size(), 4u);
+	EXPECT_EQ(arrays.triangles[3], (Triangle{VertexId{1}, VertexId{2}, VertexId{3}}));
+	EXPECT_EQ(faces.positions, (std::vector<std::uint32_t>{0, 2, 3, 4}));
+}
+
+TYPED_TEST(MeshArraysVcg, aCornerThatIsNoLiveVertexHasNoId) {
+	TypeParam mesh, other;
+	write(tetrahedron(1), mesh);
+	write(tetrahedron(1), other);
+	mesh.face[0].V(0) = nullptr;
+	mesh.face[1].V(1) = &other.vert[0];
+	vcg::tri::Allocator<TypeParam>::DeleteVertex(mesh, mesh.vert[3]);
+	MeshArrays arrays;
+	read(mesh, TestFixture::Matrix::Identity(), 0, arrays);
+	EXPECT_EQ(arrays.triangles[0][0], VertexId::none());
+	EXPECT_EQ(arrays.triangles[1][1], VertexId::none());
+	EXPECT_EQ(arrays.triangles[3][2], VertexId::none());
+	EXPECT_EQ(arrays.triangles[3][1], VertexId{2});
+}
+
+TYPED_TEST(MeshArraysVcg, normalsAreUnitVectorsAlongTheFacesAtEverySize) {
+	using Limits = std::numeric_limits<typename TypeParam::ScalarType>;
+	for (const int exponent : {Limits::min_exponent + 3, 0, Limits::max_exponent - 3}) {
+		TypeParam mesh;
+		write(tetrahedron(std::ldexp(1, exponent)), mesh);
+		const double third = 1 / std::sqrt(3.0);
+		EXPECT_EQ(mesh.face[0].N(), (typename TypeParam::CoordType(0, 0, -1)));
+		for (int axis = 0; axis < 3; ++axis) {
+			EXPECT_NEAR(mesh.face[3].N()[axis], third, 1e-7) << "size 2^" << exponent;
+			EXPECT_NEAR(mesh.vert[0].N()[axis], -third, 1e-7) << "size 2^" << exponent;
+		}
+	}
+}
+
+TYPED_TEST(MeshArraysVcg, anEmptySurfaceMakesAnEmptyMesh) {
+	TypeParam mesh;
+	write(Surface{}, mesh);
+	EXPECT_EQ(mesh.vn, 0);
+	EXPECT_EQ(mesh.fn, 0);
+	EXPECT_TRUE(mesh.bbox.IsNull());
+}
+
+TYPED_TEST(MeshArraysVcg, vertexNormalsDoNotDependOnTheThreads) {
+	const Surface surface = torus(200);
+	const int threads = omp_get_max_threads();
+	TypeParam one, eight;
+	omp_set_num_threads(1);
+	write(surface, one);
+	omp_set_num_threads(8);
+	write(surface, eight);
+	omp_set_num_threads(threads);
+	for (std::size_t i = 0; i < surface.points.size(); ++i) {
+		ASSERT_EQ(one.vert[i].P(), eight.vert[i].P());
+		ASSERT_EQ(one.vert[i].N(), eight.vert[i].N());
+		ASSERT_NEAR(one.vert[i].N().Norm(), 1, 1e-6);
+	}
+}
+
+TYPED_TEST(MeshArraysVcg, aCancelledMonitorStopsReadingAndWriting) {
+	const Surface surface = tetrahedron(1);
+	TypeParam mesh;
+	write(surface, mesh);
+	Monitor monitor([](double, const char*) { return false; });
+	monitor.beginStage("cancelled", 0, 1);
+	MeshArrays arrays;
+	LiveElements faces;
+	EXPECT_EQ(appendOperand(mesh, TestFixture::Matrix::Identity(), 0, monitor, arrays, faces).code,
+	          StatusCode::Cancelled);
+	EXPECT_EQ(fillSurface(surface.points, surface.triangles, monitor, mesh).code,
+	          StatusCode::Cancelled);
+}
+
+}  // namespace
+}  // namespace index_boolean

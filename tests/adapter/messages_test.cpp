@@ -1,0 +1,114 @@
+// SPDX-FileCopyrightText: 2026 The Index Boolean authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What users read: sentences, labels, parameters.
+#include <messages.h>
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+namespace index_boolean {
+namespace {
+
+const LayerNames kLayers{{{"bunny.ply", 3}, {"50% cube", 7}}};
+
+bool contains(const std::string& text, const std::string& part) {
+	return text.find(part) != std::string::npos;
+}
+
+std::string refusal(StatusCode code, int operand) {
+	Status status;
+	status.code = code;
+	status.operand = operand;
+	status.count = 12345;
+	return refusalMessage(status, kLayers);
+}
+
+TEST(Messages, eachRefusalIsASentenceOfItsOwnWithARemedy) {
+	std::set<std::string> messages;
+	for (int code = 1; code < kStatusCodeCount; ++code) {
+		const std::string message = refusal(static_cast<StatusCode>(code), 0);
+		const std::size_t firstSentence = message.find(". ");
+		ASSERT_NE(firstSentence, std::string::npos) << message;
+		EXPECT_GT(message.size(), firstSentence + 10) << "no remedy: " << message;
+		EXPECT_EQ(message.back(), '.') << message;
+		messages.insert(message);
+	}
+	EXPECT_EQ(messages.size(), static_cast<std::size_t>(kStatusCodeCount - 1));
+}
+
+TEST(Messages, aDefectNamesItsLayerByLabelAndId) {
+	for (const StatusCode code :
+	     {StatusCode::EmptyOperand, StatusCode::NotFinite, StatusCode::IndexOutOfRange,
+	      StatusCode::NotClosed, StatusCode::NotOriented, StatusCode::NoVolume,
+	      StatusCode::NestedComponents, StatusCode::SelfIntersecting}) {
+		const std::string first = refusal(code, 0), second = refusal(code, 1);
+		EXPECT_TRUE(contains(first, "Layer \"bunny.ply\" (id 3) ")) << first;
+		EXPECT_FALSE(contains(first, "cube")) << first;
+		EXPECT_TRUE(contains(second, "Layer \"50% cube\" (id 7) ")) << second;
+	}
+}
+
+TEST(Messages, countedDefectsGiveTheirCount) {
+	for (const StatusCode code :
+	     {StatusCode::NotFinite, StatusCode::IndexOutOfRange, StatusCode::NotClosed,
+	      StatusCode::NotOriented, StatusCode::NestedComponents, StatusCode::SelfIntersecting,
+	      StatusCode::DegenerateContact}) {
+		EXPECT_TRUE(contains(refusal(code, 0), "12345")) << refusal(code, 0);
+	}
+}
+
+TEST(Messages, aDefectOfBothLayersNamesBoth) {
+	const std::string message = refusal(StatusCode::DegenerateContact, -1);
+	EXPECT_TRUE(contains(message, "\"bunny.ply\" (id 3) and \"50% cube\" (id 7)")) << message;
+}
+
+TEST(Messages, anOpenLayerIsSentToTheFilterForOpenSurfaces) {
+	EXPECT_TRUE(contains(refusal(StatusCode::NotClosed, 0), "generate_index_boolean_split"));
+}
+
+TEST(Messages, anEmptyBlockSaysWhyForEachOperation) {
+	std::set<std::string> messages;
+	for (const BlockDefinition& block : kBlockDefinitions) {
+		const std::string message = emptyBlockMessage(block.operation, kLayers);
+		EXPECT_TRUE(contains(message, " is empty: ")) << message;
+		messages.insert(message);
+	}
+	EXPECT_EQ(messages.size(), kBlockDefinitions.size());
+	EXPECT_TRUE(contains(emptyBlockMessage(Operation::SecondMinusFirst, kLayers),
+	                     "\"50% cube\" (id 7) lies within \"bunny.ply\" (id 3)"));
+}
+
+TEST(FilterDefinitions, blocksAreParametersInTheOrderOfTheLayers) {
+	const auto& parameters = filterDefinition(FilterId::GenerateIndexBoolean).parameters;
+	for (std::size_t i = 0; i < kBlockDefinitions.size(); ++i) {
+		EXPECT_EQ(kBlockDefinitions[i].operation, static_cast<Operation>(i));
+		EXPECT_STREQ(parameters[i + 2].name, operationName(kBlockDefinitions[i].operation));
+		EXPECT_EQ(parameters[i + 2].kind, ParameterKind::Bool);
+	}
+}
+
+TEST(FilterDefinitions, everyDefaultIsAccepted) {
+	for (const FilterDefinition& filter : filterDefinitions()) {
+		EXPECT_EQ(&filterDefinition(filter.id), &filter);
+		for (const ParameterDefinition& parameter : filter.parameters) {
+			EXPECT_EQ(&parameterDefinition(filter.id, parameter.name), &parameter);
+			if (parameter.kind != ParameterKind::Layer) {
+				EXPECT_GE(parameter.defaultValue, parameter.minimum) << parameter.name;
+				EXPECT_LE(parameter.defaultValue, parameter.maximum) << parameter.name;
+			}
+		}
+	}
+}
+
+TEST(FilterDefinitions, labelsAreMadeOfBothInputsLabels) {
+	EXPECT_EQ(blockLabel(Operation::Union, "A", "B"), "A union B");
+	EXPECT_EQ(blockLabel(Operation::Intersection, "A", "B"), "A intersection B");
+	EXPECT_EQ(blockLabel(Operation::FirstMinusSecond, "A", "B"), "A minus B");
+	EXPECT_EQ(blockLabel(Operation::SecondMinusFirst, "A", "B"), "B minus A");
+	EXPECT_EQ(blockLabel(Operation::SymmetricDifference, "A", "B"), "A xor B");
+}
+
+}  // namespace
+}  // namespace index_boolean
