@@ -18,14 +18,14 @@ constexpr std::size_t kGrain = 16384;
 constexpr double kMax = std::numeric_limits<double>::max();
 constexpr BoundingBox kEmptyBox = {{kMax, kMax, kMax}, {-kMax, -kMax, -kMax}};
 
-// Comparisons with NaN are false, so NaN changes nothing; infinities are cut off by the caller.
+// Comparisons with NaN are false, so NaN changes nothing.
 BoundingBox boxOf(const Point* begin, const Point* end) {
 	BoundingBox box = kEmptyBox;
 	for (const Point* point = begin; point != end; ++point) {
 		for (std::size_t axis = 0; axis < 3; ++axis) {
 			const double x = (*point)[axis];
-			box.lo[axis] = x < box.lo[axis] ? x : box.lo[axis];
-			box.hi[axis] = x > box.hi[axis] ? x : box.hi[axis];
+			box.lo[axis] = x < box.lo[axis] && x >= -kMax ? x : box.lo[axis];
+			box.hi[axis] = x > box.hi[axis] && x <= kMax ? x : box.hi[axis];
 		}
 	}
 	return box;
@@ -52,8 +52,8 @@ Status findBoundingBox(const Point* points, std::size_t count, int threads, Moni
 	out = kEmptyBox;
 	for (const BoundingBox& part : parts) {
 		for (std::size_t axis = 0; axis < 3; ++axis) {
-			out.lo[axis] = std::max(std::min(out.lo[axis], part.lo[axis]), -kMax);
-			out.hi[axis] = std::min(std::max(out.hi[axis], part.hi[axis]), kMax);
+			out.lo[axis] = std::min(out.lo[axis], part.lo[axis]);
+			out.hi[axis] = std::max(out.hi[axis], part.hi[axis]);
 		}
 	}
 	return status;
