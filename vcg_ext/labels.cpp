@@ -32,6 +32,12 @@ SidePair sidesOn(const SegmentSides& sides, std::size_t operand) {
 	                    : SidePair{sides.right[1], sides.left[1]};
 }
 
+// Across a segment: what a class's winding number tells of its neighbour's.
+struct ClassStep {
+	std::uint32_t from, to;  // class roots
+	int difference;
+};
+
 class Labeller {
 public:
 	Labeller(Arrangement& arrangement, Monitor& monitor)
@@ -121,23 +127,39 @@ Status Labeller::castClassRays() {
 }
 
 // Classes without a vertex are regions inside one face, or several along one edge: they learn their
-// winding number across the segments around them.
+// winding number across the segments around them, each class once it has its own.
 void Labeller::propagate() {
-	bool changed = true;
-	while (changed) {
-		changed = false;
-		for (const SegmentSides& sides : arrangement_.refinement.sides) {
-			for (std::size_t operand = 0; operand < 2; ++operand) {
-				const SidePair pair = sidesOn(sides, operand);
-				int& inside = winding_[nodes_.root(pair.inside.value)];
-				int& outside = winding_[nodes_.root(pair.outside.value)];
-				if (inside == kUnknownWinding && outside != kUnknownWinding) {
-					inside = outside + 1;
-					changed = true;
-				} else if (outside == kUnknownWinding && inside != kUnknownWinding) {
-					outside = inside - 1;
-					changed = true;
-				}
+	std::vector<ClassStep> steps;  // from every class over every segment to one without a ray
+	for (const SegmentSides& sides : arrangement_.refinement.sides) {
+		for (std::size_t operand = 0; operand < 2; ++operand) {
+			const SidePair pair = sidesOn(sides, operand);
+			const std::uint32_t inside = nodes_.root(pair.inside.value);
+			const std::uint32_t outside = nodes_.root(pair.outside.value);
+			if (winding_[inside] == kUnknownWinding) {
+				steps.push_back({outside, inside, 1});
+			}
+			if (winding_[outside] == kUnknownWinding) {
+				steps.push_back({inside, outside, -1});
+			}
+		}
+	}
+	const auto byFrom = [](const ClassStep& a, const ClassStep& b) { return a.from < b.from; };
+	std::sort(steps.begin(), steps.end(), byFrom);
+	std::vector<std::uint32_t> known;
+	for (const ClassStep& step : steps) {
+		if (winding_[step.from] != kUnknownWinding &&
+		    (known.empty() || known.back() != step.from)) {
+			known.push_back(step.from);
+		}
+	}
+	while (!known.empty()) {
+		const ClassStep key{known.back(), 0, 0};
+		known.pop_back();
+		const auto range = std::equal_range(steps.begin(), steps.end(), key, byFrom);
+		for (auto step = range.first; step != range.second; ++step) {
+			if (winding_[step->to] == kUnknownWinding) {
+				winding_[step->to] = winding_[step->from] + step->difference;
+				known.push_back(step->to);
 			}
 		}
 	}

@@ -47,19 +47,24 @@ bool isFinite(const Point& p) {
 	return std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]);
 }
 
+bool cornersExist(const MeshArrays& mesh, std::size_t face) {
+	const auto operand = static_cast<std::size_t>(mesh.operandOf(makeId<FaceTag>(face)));
+	const std::uint32_t begin = mesh.vertexBegin[operand];
+	const std::uint32_t end = mesh.vertexBegin[operand + 1];
+	const auto exists = [=](VertexId v) { return v.value >= begin && v.value < end; };
+	const Triangle& t = mesh.triangles[face];
+	return exists(t[0]) && exists(t[1]) && exists(t[2]);
+}
+
 // The first defect of one face's corners, or Ok.
 StatusCode cornerDefect(const MeshArrays& mesh, std::size_t face) {
-	const auto operand = static_cast<std::size_t>(mesh.operandOf(makeId<FaceTag>(face)));
-	StatusCode found = StatusCode::Ok;
-	for (const VertexId v : mesh.triangles[face]) {
-		if (v.value < mesh.vertexBegin[operand] || v.value >= mesh.vertexBegin[operand + 1]) {
-			return StatusCode::IndexOutOfRange;
-		}
-		if (!isFinite(at(mesh.points, v))) {
-			found = StatusCode::NotFinite;
-		}
+	if (!cornersExist(mesh, face)) {
+		return StatusCode::IndexOutOfRange;
 	}
-	return found;
+	const Triangle& t = mesh.triangles[face];
+	const bool finite = std::all_of(t.begin(), t.end(),
+	                                [&](VertexId v) { return isFinite(at(mesh.points, v)); });
+	return finite ? StatusCode::Ok : StatusCode::NotFinite;
 }
 
 // Lists the faces of one operand that have the given defect.
@@ -78,23 +83,33 @@ Status refuseCorners(const MeshArrays& mesh, StatusCode code) {
 	return status;
 }
 
+// Two streams, over points and over triangles, tell that all is well; only a defect in one of them
+// starts the search for faces, since a bad vertex that no face uses does not matter.
 Status checkCorners(const MeshArrays& mesh, int threads, Monitor& monitor) {
-	std::atomic<bool> outOfRange{false};
-	std::atomic<bool> notFinite{false};
-	const Status status = parallelFor(
-	    mesh.triangles.size(), kGrain, threads, monitor,
-	    [&](std::size_t begin, std::size_t end) {
-		    for (std::size_t face = begin; face < end; ++face) {
-			    const StatusCode code = cornerDefect(mesh, face);
-			    if (code != StatusCode::Ok) {
-				    (code == StatusCode::NotFinite ? notFinite : outOfRange) = true;
-			    }
-		    }
-	    });
-	if (!status.ok() || !(outOfRange || notFinite)) {
+	std::atomic<bool> suspicious{false};
+	Status status = parallelFor(mesh.points.size(), kGrain, threads, monitor,
+	                            [&](std::size_t begin, std::size_t end) {
+		                            for (std::size_t p = begin; p < end; ++p) {
+			                            if (!isFinite(mesh.points[p])) {
+				                            suspicious = true;
+			                            }
+		                            }
+	                            });
+	if (status.ok()) {
+		status = parallelFor(mesh.triangles.size(), kGrain, threads, monitor,
+		                     [&](std::size_t begin, std::size_t end) {
+			                     for (std::size_t face = begin; face < end; ++face) {
+				                     if (!cornersExist(mesh, face)) {
+					                     suspicious = true;
+				                     }
+			                     }
+		                     });
+	}
+	if (!status.ok() || !suspicious) {
 		return status;
 	}
-	return refuseCorners(mesh, outOfRange ? StatusCode::IndexOutOfRange : StatusCode::NotFinite);
+	status = refuseCorners(mesh, StatusCode::IndexOutOfRange);
+	return status.ok() ? refuseCorners(mesh, StatusCode::NotFinite) : status;
 }
 
 std::uint64_t coordinateHash(const Point& p) {

@@ -51,14 +51,14 @@ private:
 	void sortOutgoing(std::uint32_t point);
 	bool visit(std::uint32_t point);
 	bool findInterval(std::uint32_t point, Status::iterator& upper) const;
-	Status::iterator closeIncoming(std::uint32_t point, Status::iterator first, Chain& upperChain,
-	                               bool& hasUpper);
+	bool closeIncoming(std::uint32_t point, Status::iterator& it, Chain& upperChain,
+	                   bool& hasUpper);
 	Chain splitAtLast(Chain& chain);
 	void attachTop(Chain& chain, std::uint32_t point);
 	void attachBottom(Chain& chain, std::uint32_t point);
 	Chain join(const Chain& lower, const Chain& upper);
 	std::uint32_t newLink(std::uint32_t point, std::uint32_t below, std::uint32_t above);
-	void emitFan(std::uint32_t point, const Chain& chain);
+	bool emitFan(std::uint32_t point, const Chain& chain);
 	std::uint32_t pointOf(std::uint32_t link) const { return links_[link].point; }
 
 	const PlanarOrientation& orientation_;
@@ -142,21 +142,20 @@ bool Sweep::findInterval(std::uint32_t point, Status::iterator& upper) const {
 	return !onEdge && upper != status.begin() && upper != status.end();
 }
 
-// Takes out the edges that end at the point, the lowest of which is `first`, and fills the
-// intervals between them. Returns the place above them; the chain above the highest goes to
-// upperChain if there is an interval above it.
-Status::iterator Sweep::closeIncoming(std::uint32_t point, Status::iterator first,
-                                      Chain& upperChain, bool& hasUpper) {
-	Status::iterator it = first;
+// Takes out the edges that end at the point, from the lowest, `it`, upwards, and fills the intervals
+// between them. Leaves `it` above them; the chain above the highest goes to upperChain if there is
+// an interval above it. False if the point does not see what it should.
+bool Sweep::closeIncoming(std::uint32_t point, Status::iterator& it, Chain& upperChain,
+                          bool& hasUpper) {
 	while (it != status_.end() && it->edge.right == point) {
 		upperChain = it->chain;
 		it = status_.erase(it);
 		hasUpper = it != status_.end();
-		if (hasUpper && it->edge.right == point) {
-			emitFan(point, upperChain);
+		if (hasUpper && it->edge.right == point && !emitFan(point, upperChain)) {
+			return false;
 		}
 	}
-	return it;
+	return true;
 }
 
 bool Sweep::visit(std::uint32_t point) {
@@ -164,15 +163,17 @@ bool Sweep::visit(std::uint32_t point) {
 	bool hasLower = false, hasUpper = false;
 	Status::iterator above = status_.end();
 	if (anyIncoming_[point] != kNone) {
-		Status::iterator first = status_.iterator_to(edges_[anyIncoming_[point]]);
-		while (first != status_.begin() && std::prev(first)->edge.right == point) {
-			--first;
+		above = status_.iterator_to(edges_[anyIncoming_[point]]);
+		while (above != status_.begin() && std::prev(above)->edge.right == point) {
+			--above;
 		}
-		hasLower = first != status_.begin();
+		hasLower = above != status_.begin();
 		if (hasLower) {
-			lower = std::prev(first)->chain;
+			lower = std::prev(above)->chain;
 		}
-		above = closeIncoming(point, first, upper, hasUpper);
+		if (!closeIncoming(point, above, upper, hasUpper)) {
+			return false;
+		}
 	} else if (!status_.empty()) {
 		if (!findInterval(point, above)) {
 			return false;
@@ -267,12 +268,19 @@ Chain Sweep::join(const Chain& lower, const Chain& upper) {
 	return {lower.bottom, upper.top, lower.top};
 }
 
-// Fills the interval between two edges that end at the point: the point sees the whole chain.
-void Sweep::emitFan(std::uint32_t point, const Chain& chain) {
+// Fills the interval between two edges that end at the point. It sees the whole chain, unless edges
+// cross: every triangle of a result is known to be counter-clockwise, so that a result whose edges
+// match is one layer.
+bool Sweep::emitFan(std::uint32_t point, const Chain& chain) {
 	for (std::uint32_t link = chain.bottom; links_[link].above != kNone;
 	     link = links_[link].above) {
-		triangles_.push_back({pointOf(link), point, pointOf(links_[link].above)});
+		const std::uint32_t next = pointOf(links_[link].above);
+		if (orientation_(pointOf(link), point, next) <= 0) {
+			return false;
+		}
+		triangles_.push_back({pointOf(link), point, next});
 	}
+	return true;
 }
 
 }  // namespace

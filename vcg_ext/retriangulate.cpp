@@ -105,11 +105,14 @@ public:
 private:
 	void collectBorder();
 	void collectSegments(const FaceSegment* begin, const FaceSegment* end);
-	void sortVertices();
+	bool sortVertices();
 	std::uint32_t rankOf(VertexId id) const;
 	void fixEdges(const FaceSegment* begin, const FaceSegment* end);
 	void fixBorder();
-	bool uniteRegions();
+	void collectHalfEdges();
+	bool unitePieces();
+	void numberRegions();
+	void recordSides();
 	void emit();
 
 	const Arrangement& arrangement_;
@@ -128,7 +131,8 @@ private:
 	std::vector<PlanarEdge> planarEdges_;
 	std::vector<std::array<std::uint32_t, 3>> triangles_;
 	std::vector<HalfEdge> halfEdges_;
-	std::vector<std::uint32_t> regionOf_;  // per triangle; a union-find while uniting
+	std::vector<const HalfEdge*> besideFixed_;  // the first half-edge along each fixed edge
+	std::vector<std::uint32_t> regionOf_;       // per triangle; a union-find while uniting
 };
 
 const CutEdge* findCutEdge(const Curve& curve, VertexId a, VertexId b) {
@@ -184,8 +188,9 @@ void FaceCutter::collectSegments(const FaceSegment* begin, const FaceSegment* en
 	    vertices_.end());
 }
 
-// Puts the vertices in lexicographic order of the projected exact coordinates.
-void FaceCutter::sortVertices() {
+// Puts the vertices in lexicographic order of the projected exact coordinates. False if two of them
+// lie in one place: their names differ, so an operand touches itself there.
+bool FaceCutter::sortVertices() {
 	std::vector<std::pair<LocalVertex, ExactPoint>> sorted;
 	sorted.reserve(vertices_.size());
 	for (const LocalVertex& v : vertices_) {
@@ -193,10 +198,16 @@ void FaceCutter::sortVertices() {
 	}
 	const int x = nextCorner(axis_);
 	const int y = previousCorner(axis_);
-	std::sort(sorted.begin(), sorted.end(), [x, y](const auto& a, const auto& b) {
+	const auto before = [x, y](const auto& a, const auto& b) {
 		const int order = compareCoordinate(a.second, b.second, x);
 		return order != 0 ? order < 0 : compareCoordinate(a.second, b.second, y) < 0;
-	});
+	};
+	std::sort(sorted.begin(), sorted.end(), before);
+	for (std::size_t i = 0; i + 1 < sorted.size(); ++i) {
+		if (!before(sorted[i], sorted[i + 1])) {
+			return false;
+		}
+	}
 	points_.clear();
 	ranks_.clear();
 	for (std::uint32_t rank = 0; rank < sorted.size(); ++rank) {
@@ -205,6 +216,7 @@ void FaceCutter::sortVertices() {
 		ranks_.emplace_back(vertices_[rank].id.value, rank);
 	}
 	std::sort(ranks_.begin(), ranks_.end());
+	return true;
 }
 
 std::uint32_t FaceCutter::rankOf(VertexId id) const {
@@ -260,9 +272,7 @@ std::uint32_t findRoot(std::vector<std::uint32_t>& parent, std::uint32_t i) {
 	return i;
 }
 
-// Joins pieces across edges that are not fixed, numbers the regions, and records what lies to both
-// sides of the segments and behind the border's intervals. False if a fixed edge is missing.
-bool FaceCutter::uniteRegions() {
+void FaceCutter::collectHalfEdges() {
 	halfEdges_.clear();
 	for (std::uint32_t piece = 0; piece < triangles_.size(); ++piece) {
 		for (int i = 0; i < 3; ++i) {
@@ -274,50 +284,55 @@ bool FaceCutter::uniteRegions() {
 	std::sort(halfEdges_.begin(), halfEdges_.end(), [](const HalfEdge& a, const HalfEdge& b) {
 		return a.ranks == b.ranks ? a.piece < b.piece : a.ranks < b.ranks;
 	});
+}
+
+// Joins pieces across edges that are not fixed, and finds the half-edges at those that are. False
+// unless every border edge has one piece, every other edge two that run against each other, and
+// every fixed edge is there. With all pieces turned alike this proves that they cover the face once.
+bool FaceCutter::unitePieces() {
 	regionOf_.resize(triangles_.size());
 	std::iota(regionOf_.begin(), regionOf_.end(), 0u);
-
-	std::vector<const HalfEdge*> besideFixed;  // the first half-edge along each fixed edge
+	besideFixed_.clear();
 	auto fixed = fixed_.begin();
 	for (std::size_t h = 0; h < halfEdges_.size();) {
-		const PlanarEdge ranks = halfEdges_[h].ranks;
+		const HalfEdge* edge = &halfEdges_[h];
+		const bool isFixed = fixed != fixed_.end() && fixed->ranks == edge->ranks;
+		const std::size_t expected = isFixed && fixed->segment == kBorder ? 1 : 2;
 		std::size_t next = h + 1;
-		while (next < halfEdges_.size() && halfEdges_[next].ranks == ranks) {
+		while (next < halfEdges_.size() && halfEdges_[next].ranks == edge->ranks) {
 			++next;
 		}
-		const bool isFixed = fixed != fixed_.end() && fixed->ranks == ranks;
-		const bool isBorder = isFixed && fixed->segment == kBorder;
-		if (next - h != (isBorder ? 1u : 2u)) {
+		if (next - h != expected || (expected == 2 && edge[0].rising == edge[1].rising)) {
 			return false;
 		}
 		if (isFixed) {
-			besideFixed.push_back(&halfEdges_[h]);
+			besideFixed_.push_back(edge);
 			++fixed;
 		} else {
-			const std::uint32_t a = findRoot(regionOf_, halfEdges_[h].piece);
-			const std::uint32_t b = findRoot(regionOf_, halfEdges_[h + 1].piece);
+			const std::uint32_t a = findRoot(regionOf_, edge[0].piece);
+			const std::uint32_t b = findRoot(regionOf_, edge[1].piece);
 			regionOf_[std::max(a, b)] = std::min(a, b);
 		}
 		h = next;
 	}
-	if (fixed != fixed_.end()) {
-		return false;
-	}
+	return fixed == fixed_.end();
+}
 
-	// A root is the first piece of its region, so one pass in order numbers them all.
-	for (std::uint32_t piece = 0; piece < regionOf_.size(); ++piece) {
-		const std::uint32_t root = findRoot(regionOf_, piece);
-		regionOf_[piece] = root;
-	}
+// A root is the first piece of its region, so one pass in order numbers them all.
+void FaceCutter::numberRegions() {
 	std::vector<std::uint32_t> number(regionOf_.size());
 	for (std::uint32_t piece = 0; piece < regionOf_.size(); ++piece) {
-		number[piece] = regionOf_[piece] == piece ? out_.regionCount++ : number[regionOf_[piece]];
+		const std::uint32_t root = findRoot(regionOf_, piece);
+		number[piece] = root == piece ? out_.regionCount++ : number[root];
 	}
 	regionOf_ = std::move(number);
+}
 
+// Records what lies to both sides of the segments and behind the border's intervals.
+void FaceCutter::recordSides() {
 	const int operand = arrangement_.mesh.operandOf(face_);
 	for (std::size_t f = 0; f < fixed_.size(); ++f) {
-		const HalfEdge* h = besideFixed[f];
+		const HalfEdge* h = besideFixed_[f];
 		const std::uint32_t region = regionOf_[h->piece];
 		if (fixed_[f].segment != kBorder) {
 			const std::uint32_t other = regionOf_[h[1].piece];
@@ -328,7 +343,6 @@ bool FaceCutter::uniteRegions() {
 			out_.links.push_back({region, fixed_[f].interval});
 		}
 	}
-	return true;
 }
 
 void FaceCutter::emit() {
@@ -356,7 +370,9 @@ bool FaceCutter::cut(FaceId face, const FaceSegment* begin, const FaceSegment* e
 	collectBorder();
 	const std::size_t borderCount = vertices_.size();
 	collectSegments(begin, end);
-	sortVertices();
+	if (!sortVertices()) {
+		return false;
+	}
 	fixEdges(begin, end);
 	const FaceOrientation orientation(points_, vertices_, axis_);
 	const auto pointCount = static_cast<std::uint32_t>(vertices_.size());
@@ -372,9 +388,12 @@ bool FaceCutter::cut(FaceId face, const FaceSegment* begin, const FaceSegment* e
 			std::swap(t[1], t[2]);
 		}
 	}
-	if (!uniteRegions()) {
+	collectHalfEdges();
+	if (!unitePieces()) {
 		return false;
 	}
+	numberRegions();
+	recordSides();
 	emit();
 	return true;
 }

@@ -135,7 +135,7 @@ private:
 	std::uint32_t kind_;
 };
 
-constexpr std::uint32_t kSeeds = 3000;
+constexpr std::uint32_t kSeeds = 1200;
 
 TEST(ExactSign, orient3dEqualsRationalArithmetic) {
 	for (std::uint32_t seed = 0; seed < kSeeds; ++seed) {
