@@ -1,0 +1,53 @@
+# SPDX-FileCopyrightText: 2026 The Index Boolean authors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Where the plugin is, and how pymeshlab comes to know it."""
+
+import importlib.metadata
+import pathlib
+
+# The host loads plugins that were built for its own version and scalar only.
+_HOST_VERSION = "2025.7"
+_FILTERS = ("generate_index_boolean",)
+
+
+class HostError(ImportError):
+    """pymeshlab is absent, cannot be imported, or is not the version that the plugin is for."""
+
+
+def plugin_path():
+    """The plugin's file as a string, for pymeshlab.load_plugin or MeshLab's plugin dialog."""
+    return str(pathlib.Path(__file__).with_name("libfilter_indexboolean.so"))
+
+
+def load_plugin():
+    """Makes the filters of the plugin methods of pymeshlab.MeshSet; a second call does nothing.
+
+    Raises HostError with a sentence that says what to install.
+    """
+    pymeshlab = _import_host()
+    if not set(_FILTERS) <= set(pymeshlab.filter_list()):
+        pymeshlab.load_plugin(plugin_path())
+    for name in _FILTERS:
+        if not hasattr(pymeshlab.MeshSet, name):
+            setattr(pymeshlab.MeshSet, name, pymeshlab.bind_function(name))
+
+
+def _import_host():
+    remedy = f'python -m pip install "pymeshlab=={_HOST_VERSION}.*"'
+    try:
+        version = importlib.metadata.version("pymeshlab")
+    except importlib.metadata.PackageNotFoundError:
+        raise HostError(f"pymeshlab is not installed; install it by: {remedy}") from None
+    if version.split(".")[:2] != _HOST_VERSION.split("."):
+        raise HostError(
+            f"pymeshlab {version} is installed, but this plugin is built for pymeshlab "
+            f"{_HOST_VERSION}; install that by: {remedy}"
+        )
+    try:
+        import pymeshlab
+    except ImportError as error:
+        raise HostError(
+            f"pymeshlab {version} cannot be imported: {error}; it needs the system's OpenGL "
+            "library (Debian: libgl1)"
+        ) from error
+    return pymeshlab

@@ -1,0 +1,205 @@
+# SPDX-FileCopyrightText: 2026 The Index Boolean authors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""python -m indexboolean: files, exit statuses and messages."""
+
+import json
+import os
+import pathlib
+import pty
+import signal
+import subprocess
+import sys
+
+import numpy
+import pymeshlab
+import pytest
+
+SAMPLES = pathlib.Path(__file__).parents[2] / "sample_meshes"
+FIRST, SECOND = SAMPLES / "bumpy_sphere.ply", SAMPLES / "ribbed_torus.ply"
+FOUR_BLOCKS = ["union", "intersection", "first_minus_second", "second_minus_first"]
+
+
+def command(*arguments):
+    return [sys.executable, "-m", "indexboolean", *map(str, arguments)]
+
+
+def run(*arguments):
+    return subprocess.run(command(*arguments), capture_output=True, text=True, timeout=120)
+
+
+def load(path):
+    """(vertices, faces)"""
+    meshes = pymeshlab.MeshSet()
+    meshes.load_new_mesh(str(path))
+    mesh = meshes.current_mesh()
+    return mesh.vertex_matrix(), mesh.face_matrix()
+
+
+def volume(vertices, faces):
+    return numpy.linalg.det(vertices[faces]).sum() / 6
+
+
+def files_of(folder):
+    return sorted(path.name for path in folder.iterdir())
+
+
+def as_format(folder, source, extension):
+    meshes = pymeshlab.MeshSet()
+    meshes.load_new_mesh(str(source))
+    path = folder / f"{source.stem}.{extension}"
+    meshes.save_current_mesh(str(path))
+    return path
+
+
+def test_fourBlocksAndTheResultAreWritten(tmp_path):
+    done = run("boolean", FIRST, SECOND, "-o", tmp_path / "a" / "b")
+    assert done.returncode == 0, done.stderr
+    assert "LOG:" not in done.stderr
+    assert files_of(tmp_path / "a" / "b") == sorted(
+        [f"{block}.ply" for block in FOUR_BLOCKS] + ["result.json"]
+    )
+    result = json.loads((tmp_path / "a" / "b" / "result.json").read_text())
+    for block in FOUR_BLOCKS:
+        vertices, faces = load(tmp_path / "a" / "b" / result["files"][block])
+        assert len(faces) == result[f"{block}_faces"]
+        assert volume(vertices, faces) == pytest.approx(result[f"{block}_volume"], rel=1e-12)
+        assert result[f"{block}_closed"] is True
+        assert block in done.stdout
+        assert str(len(faces)) in done.stdout
+
+
+def test_plyIsBinaryInTheHostsScalar(tmp_path):
+    assert run("boolean", FIRST, SECOND, "-o", tmp_path).returncode == 0
+    header = (tmp_path / "union.ply").read_bytes().split(b"end_header")[0]
+    assert b"binary_little_endian" in header
+    assert b"property double x" in header
+
+
+def test_onlyTheBlocksAskedForAreWritten(tmp_path):
+    only = "symmetric_difference,union"
+    assert run("boolean", FIRST, SECOND, "-o", tmp_path, "--only", only).returncode == 0
+    assert files_of(tmp_path) == ["result.json", "symmetric_difference.ply", "union.ply"]
+    result = json.loads((tmp_path / "result.json").read_text())
+    assert "intersection_volume" not in result
+
+
+@pytest.mark.parametrize("extension", ["obj", "off", "stl"])
+def test_otherFormatsAreReadAndWritten(tmp_path, extension):
+    first, second = (as_format(tmp_path, mesh, extension) for mesh in (FIRST, SECOND))
+    out = tmp_path / "out"
+    done = run("boolean", first, second, "-o", out, "--format", extension)
+    assert done.returncode == 0, done.stderr
+    result = json.loads((out / "result.json").read_text())
+    assert volume(*load(out / f"union.{extension}")) == pytest.approx(result["union_volume"], rel=1e-5)
+
+
+@pytest.mark.parametrize("extension", ["ply", "obj", "off", "stl"])
+def test_emptyBlockIsAFileToo(tmp_path, extension):
+    outer, inner = SAMPLES / "nested_outer.ply", SAMPLES / "nested_inner.ply"
+    done = run("boolean", outer, inner, "-o", tmp_path, "--format", extension)
+    assert done.returncode == 0, done.stderr
+    assert (tmp_path / f"second_minus_first.{extension}").is_file()
+    result = json.loads((tmp_path / "result.json").read_text())
+    assert result["second_minus_first_faces"] == 0
+    assert "is empty" in done.stderr
+
+
+def test_openOperandIsRefusedByName(tmp_path):
+    vertices, faces = load(FIRST)
+    opened = pymeshlab.MeshSet()
+    opened.add_mesh(pymeshlab.Mesh(vertices, faces[1:]))
+    opened.save_current_mesh(str(tmp_path / "opened.ply"))
+    done = run("boolean", tmp_path / "opened.ply", SECOND, "-o", tmp_path / "out")
+    assert done.returncode == 1
+    assert "opened.ply" in done.stderr
+    assert "not closed" in done.stderr
+    assert not (tmp_path / "out" / "result.json").exists()
+
+
+@pytest.mark.parametrize(
+    "name, content, sentence",
+    [
+        ("absent.ply", None, "is not a file"),
+        ("garbage.ply", "hello", "cannot be read"),
+        ("unknown.xyzq", "hello", "cannot be read"),
+    ],
+)
+def test_unreadableInputIsNamed(tmp_path, name, content, sentence):
+    path = tmp_path / name
+    if content is not None:
+        path.write_text(content)
+    done = run("boolean", path, SECOND, "-o", tmp_path / "out")
+    assert done.returncode == 1
+    assert f"{path} {sentence}" in done.stderr
+    assert "Traceback" not in done.stderr
+    assert not (tmp_path / "out").exists()
+
+
+def test_folderThatCannotBeMadeIsNamed(tmp_path):
+    (tmp_path / "file").write_text("")
+    done = run("boolean", FIRST, SECOND, "-o", tmp_path / "file" / "out")
+    assert done.returncode == 1
+    assert str(tmp_path / "file") in done.stderr
+    assert "Traceback" not in done.stderr
+
+
+@pytest.mark.parametrize(
+    "arguments",
+    [
+        [],
+        ["boolean", FIRST],
+        ["boolean", FIRST, SECOND],
+        ["boolean", FIRST, SECOND, "-o", "out", "--only", "union,everything"],
+        ["boolean", FIRST, SECOND, "-o", "out", "--format", "docx"],
+    ],
+)
+def test_wrongUsageEndsWithStatusTwo(arguments):
+    done = run(*arguments)
+    assert done.returncode == 2
+    assert "usage:" in done.stderr
+
+
+def test_interruptEndsWithStatus130(tmp_path):
+    pipe = tmp_path / "endless.ply"
+    os.mkfifo(pipe)
+    process = subprocess.Popen(
+        command("boolean", pipe, SECOND, "-o", tmp_path / "out"), stderr=subprocess.PIPE, text=True
+    )
+    with open(pipe, "w"):  # opens once the host reads from it, and gives it nothing
+        process.send_signal(signal.SIGINT)
+        _, errors = process.communicate(timeout=60)
+    assert process.returncode == 130
+    assert "interrupted" in errors
+    assert "Traceback" not in errors
+
+
+def test_terminalSeesTheStagesAndNoNoise(tmp_path):
+    ours, theirs = pty.openpty()
+    process = subprocess.Popen(
+        command("boolean", FIRST, SECOND, "-o", tmp_path), stdout=theirs, stderr=theirs
+    )
+    os.close(theirs)
+    seen = b""
+    try:
+        while piece := os.read(ours, 4096):
+            seen += piece
+    except OSError:  # how Linux ends the reading of a terminal that nobody holds any more
+        pass
+    assert process.wait(timeout=60) == 0
+    assert b"reading bumpy_sphere.ply" in seen
+    assert b"100%" in seen
+    assert b"LOG:" not in seen
+    assert b"Applying filter" not in seen
+    assert b"first_mesh" not in seen
+
+
+def test_threadCountFollowsTheEnvironment(tmp_path):
+    written = []
+    for threads in ("1", "2"):
+        folder = tmp_path / threads
+        subprocess.run(
+            command("boolean", FIRST, SECOND, "-o", folder), check=True, timeout=120,
+            env={**os.environ, "OMP_NUM_THREADS": threads}, stdout=subprocess.DEVNULL,
+        )
+        written.append([(folder / f"{block}.ply").read_bytes() for block in FOUR_BLOCKS])
+    assert written[0] == written[1]
