@@ -28,12 +28,12 @@ Mesh mapped(Mesh mesh, double scale, Point offset) {
 	return mesh;
 }
 
-// Six times the volume of a mesh with small integer coordinates, exactly.
-std::int64_t sixVolumes(const Mesh& mesh) {
+// Six times the volume of a mesh with integer coordinates below 2^40, exactly.
+__int128 sixVolumes(const Mesh& mesh) {
 	const auto coordinate = [&mesh](std::uint32_t vertex, std::size_t axis) {
-		return static_cast<std::int64_t>(mesh.points[vertex][axis]);
+		return static_cast<__int128>(mesh.points[vertex][axis]);
 	};
-	std::int64_t sum = 0;
+	__int128 sum = 0;
 	for (const auto& t : mesh.triangles) {
 		for (std::size_t axis = 0; axis < 3; ++axis) {
 			const std::size_t next = (axis + 1) % 3;
@@ -70,7 +70,7 @@ TEST(Measure, volumeIsExactUpToAFewRoundings) {
 	for (unsigned seed = 1; seed <= 5; ++seed) {
 		SCOPED_TRACE(seed);
 		std::mt19937 random(seed);
-		Mesh mesh = shapes::placed(shapes::sphere(100, {0, 0, 0}, 8000), random, 3000);
+		Mesh mesh = shapes::placed(shapes::sphere(200, {0, 0, 0}, 8e6), random, 3e6);
 		for (Point& p : mesh.points) {
 			for (double& x : p)
 				x = std::round(x);
@@ -78,6 +78,16 @@ TEST(Measure, volumeIsExactUpToAFewRoundings) {
 		const double exact = static_cast<double>(sixVolumes(mesh)) / 6;
 		EXPECT_NEAR(measure(mesh).volume / exact, 1, 1e-15);
 	}
+}
+
+// The same roundings, over and over in the same direction.
+TEST(Measure, manySmallPartsBesideALargeOneAreNotRoundedAway) {
+	Mesh mesh = shapes::box({-0x1p32, -0x1p32, -0x1p32}, {0x1p32, 0x1p32, 0x1p32});
+	for (int i = 0; i < 600; ++i)
+		mesh = shapes::joined(
+		    mesh, shapes::box({87654321, 7654321, 654321}, {87665432, 7676543, 687654}));
+	const double exact = static_cast<double>(sixVolumes(mesh)) / 6;
+	EXPECT_NEAR(measure(mesh).volume / exact, 1, 3e-16);
 }
 
 TEST(Measure, distanceFromTheOriginCostsNothing) {
@@ -118,6 +128,7 @@ TEST(Measure, volumesBeyondDoubleAreInfiniteOrZero) {
 	EXPECT_EQ(tiny.volume, 0);
 	EXPECT_EQ(tiny.area, 0);
 	EXPECT_TRUE(tiny.closed);
+	EXPECT_EQ(measure(mapped(box, 1e-320, {0, 0, 0})).volume, 0);
 	const Point somewhere = {3, 4, 5};
 	EXPECT_EQ(measure(Mesh{{somewhere, somewhere, somewhere}, {{0, 1, 2}, {2, 1, 0}}}).volume, 0);
 }

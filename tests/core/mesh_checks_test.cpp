@@ -102,6 +102,11 @@ TEST(MeshChecks, bordersComeBeforeConflicts) {
 	EXPECT_EQ(found.conflictingEdges, 3U);
 	EXPECT_EQ(found.firstEdge, (std::array<VertexId, 2>{VertexId{7}, VertexId{8}}));
 	EXPECT_EQ(found.faces, (std::vector<std::uint32_t>{0, 1, 2, 3, 4}));
+	for (Corners& t : both) {
+		for (std::uint32_t& v : t)
+			v = 9 - v;  // now the borders have the smaller vertices
+	}
+	EXPECT_EQ(unmatched(both).firstEdge, (std::array<VertexId, 2>{VertexId{0}, VertexId{1}}));
 }
 
 TEST(MeshChecks, thirdFaceAtAnEdgeIsABorder) {
@@ -137,6 +142,15 @@ TEST(MeshChecks, checksumAndSearchAgreeWithCounting) {
 		EXPECT_EQ(found.borderEdges + found.conflictingEdges == 0, closed);
 		EXPECT_EQ(found.faces.empty(), closed);
 	}
+}
+
+// Around this hexagon the sums of an edge's two vertices cancel, and so would a hash of the sum.
+TEST(MeshChecks, checksumTellsEdgesApart) {
+	const std::array<std::uint32_t, 6> hexagon = {0, 12, 1, 10, 2, 11};
+	std::vector<Corners> cone;
+	for (std::size_t i = 0; i < 6; ++i)
+		cone.push_back({50, hexagon[i], hexagon[(i + 1) % 6]});
+	EXPECT_NE(checksum(cone), 0U);
 }
 
 TEST(MeshChecks, checksumDependsOnNeitherThreadsNorOrderNorKindOfIndex) {

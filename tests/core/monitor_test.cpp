@@ -51,11 +51,11 @@ TEST(Monitor, stagesAreReportedAtOnceAndByName) {
 TEST(Monitor, progressIsMappedIntoTheStage) {
 	std::vector<Call> calls;
 	Monitor monitor = recording(calls);
-	monitor.beginStage("stage", 0.25, 0.75);
+	monitor.beginStage("stage", 0.5, 0.75);
 	waitPastTheInterval();
 	monitor.report(0.5);
 	ASSERT_EQ(calls.size(), 2U);
-	EXPECT_EQ(calls[1].fraction, 0.5);
+	EXPECT_EQ(calls[1].fraction, 0.625);
 }
 
 TEST(Monitor, fractionNeverFallsNorLeavesTheUnitInterval) {

@@ -105,12 +105,17 @@ TEST(Parallel, chunksDependOnTheGrainOnly) {
 	EXPECT_EQ(chunkCount(std::numeric_limits<std::size_t>::max(), 2), std::size_t{1} << 63);
 }
 
-TEST(Parallel, oneChunkRunsOnTheCallingThread) {
-	Monitor monitor;
-	std::thread::id id;
-	parallelFor(8, 8, 4, monitor,
-	            [&](std::size_t, std::size_t) { id = std::this_thread::get_id(); });
-	EXPECT_EQ(id, std::this_thread::get_id());
+TEST(Parallel, oneChunkOrOneThreadOpensNoRegion) {
+	for (const auto& [n, threads] : {std::pair{8, 4}, {100, 1}}) {
+		Monitor monitor;
+		parallelFor(static_cast<std::size_t>(n), 8, threads, monitor,
+		            [caller = std::this_thread::get_id()](std::size_t, std::size_t) {
+			            EXPECT_EQ(std::this_thread::get_id(), caller);
+#ifdef _OPENMP
+			            EXPECT_EQ(omp_get_level(), 0);
+#endif
+		            });
+	}
 }
 
 TEST(Parallel, runningOutOfMemoryBecomesAStatus) {
@@ -138,14 +143,18 @@ TEST(Parallel, otherExceptionsBecomeAnInternalError) {
 }
 
 TEST(Parallel, chunksAfterAFailureAreSkipped) {
-	Monitor monitor;
-	std::size_t last = 0;
-	parallelFor(100, 1, 1, monitor, [&last](std::size_t begin, std::size_t) {
-		last = begin;
-		if (begin == 40)
-			throw std::bad_alloc();
-	});
-	EXPECT_EQ(last, 40U);
+	for (const bool outOfMemory : {false, true}) {
+		Monitor monitor;
+		std::size_t last = 0;
+		parallelFor(100, 1, 1, monitor, [&](std::size_t begin, std::size_t) {
+			last = begin;
+			if (begin == 40 && outOfMemory)
+				throw std::bad_alloc();
+			if (begin == 40)
+				throw std::runtime_error("thrown by a test");
+		});
+		EXPECT_EQ(last, 40U);
+	}
 }
 
 TEST(Parallel, cancelSkipsTheRemainingChunks) {
