@@ -24,6 +24,18 @@ Status extractBlocks(const Arrangement& arrangement, const std::vector<Operation
 	return {};
 }
 
+// Adds up what each stage took for all blocks.
+void addBlockTimes(const std::vector<Block>& blocks, std::vector<StageTime>& times) {
+	const std::size_t first = times.size();
+	for (const Block& block : blocks) {
+		for (std::size_t i = 0; i < block.stageTimes.size(); ++i) {
+			if (first + i == times.size())
+				times.push_back({block.stageTimes[i].stage, 0});
+			times[first + i].seconds += block.stageTimes[i].seconds;
+		}
+	}
+}
+
 }  // namespace
 
 Status runBoolean(MeshArrays input, const BooleanRequest& request, Progress& progress,
@@ -38,11 +50,10 @@ Status runBoolean(MeshArrays input, const BooleanRequest& request, Progress& pro
 	result.loopCounts = arrangement.loopCounts;
 	result.stageTimes = arrangement.stageTimes;
 
-	const Stopwatch extractionTime;
 	status = extractBlocks(arrangement, request.operations, progress, result.blocks);
 	if (!status.ok())
 		return status;
-	result.stageTimes.push_back({"blocks", extractionTime.seconds()});
+	addBlockTimes(result.blocks, result.stageTimes);
 
 	const Stopwatch auditTime;
 	Monitor auditing = progress.nextPhase(kAuditShare);

@@ -41,6 +41,7 @@ struct Block {
 	std::vector<FaceSource> faceSource;
 	std::size_t firstPiece = 0;  // before cleaning: faces from here on are pieces of cut faces
 	std::size_t zeroAreaFacesRemoved = 0;
+	std::vector<StageTime> stageTimes;  // of the stages that made this block
 };
 
 // Collects the faces and vertices of one block, before cleaning.

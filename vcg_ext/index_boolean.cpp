@@ -150,8 +150,7 @@ Status arrange(MeshArrays input, const Options& options, Monitor& monitor, Arran
 Status extractBlock(const Arrangement& arrangement, Operation operation, Monitor& monitor,
                     Block& out) {
 	return guarded([&] {
-		std::vector<StageTime> times;
-		Stages stages(monitor, times);
+		Stages stages(monitor, out.stageTimes);
 		stages.run("blocks", 0.8,
 		           [&] { return collectBlock(arrangement, operation, monitor, out); });
 		stages.run("clean", 0.2, [&] { return cleanBlock(arrangement.options, monitor, out); });
