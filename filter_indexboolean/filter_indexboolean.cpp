@@ -112,16 +112,20 @@ std::vector<int> idsOf(const std::vector<MeshModel*>& layers) {
 	return ids;
 }
 
-std::vector<std::string> findings(const BooleanResult& result, const LayerNames& names) {
+std::vector<std::string> findings(const BooleanResult& result, const AdapterSeconds& seconds,
+                                  const LayerNames& names) {
 	std::vector<std::string> messages;
 	for (std::size_t k = 0; k < names.size(); ++k) {
 		if (result.turned[k])
 			messages.push_back(turnedMessage(names[k]));
 	}
-	for (const Block& block : result.blocks) {
-		if (block.triangles.empty())
-			messages.push_back(emptyBlockMessage(block.operation, names));
+	for (std::size_t i = 0; i < result.blocks.size(); ++i) {
+		const Block& block = result.blocks[i];
+		messages.push_back(block.triangles.empty()
+		                       ? emptyBlockMessage(block.operation, names)
+		                       : blockMessage(block, result.audit.blocks[i], names));
 	}
+	messages.push_back(timeMessage(seconds.total, result.seconds));
 	return messages;
 }
 
@@ -246,8 +250,9 @@ ResultMap FilterIndexBoolean::generateIndexBoolean(const RichParameterList& para
 	throwUnlessOk(addLayers(result.blocks, blockLabels(task), progress, document, layers), task);
 	seconds.writeLayers = writing.seconds();
 
-	for (const std::string& message : findings(result, task.names))
-		log(message);
 	seconds.total = total.seconds();
+
+	for (const std::string& message : findings(result, seconds, task.names))
+		log(message);
 	return resultMap(result, idsOf(layers), seconds);
 }

@@ -49,15 +49,23 @@ private:
 	std::vector<MeshModel*> layers_;
 };
 
-// Fills the layers, which have no elements yet. Making room is half of the work: pages of memory
-// are touched for the first time, so all layers are made room in at the same time.
+std::size_t elementCount(const std::vector<Block>& blocks) {
+	std::size_t count = 0;
+	for (const Block& block : blocks)
+		count += block.points.size() + block.triangles.size();
+	return count;
+}
+
+// Fills the layers, which have no elements yet. Making room is more than half of the work, since
+// memory is touched for the first time: of large layers, several are made room in at the same time.
 Status fillLayers(const std::vector<Block>& blocks, Monitor& monitor,
                   const std::vector<MeshModel*>& layers) {
+	const std::size_t grain = elementCount(blocks) > kElementGrain ? 1 : blocks.size();
 	const auto allocate = [&](std::size_t begin, std::size_t end) {
 		for (std::size_t i = begin; i < end; ++i)
 			allocateSurface(blocks[i].points.size(), blocks[i].triangles.size(), layers[i]->cm);
 	};
-	Status status = parallelFor(blocks.size(), 1, 0, monitor, allocate);
+	Status status = parallelFor(blocks.size(), grain, 0, monitor, allocate);
 	for (std::size_t i = 0; i < blocks.size() && status.ok(); ++i)
 		status = fillSurface(blocks[i].points, blocks[i].triangles, monitor, layers[i]->cm);
 	return status;

@@ -5,6 +5,9 @@
 // core, which knows its count and place.
 #include "messages.h"
 
+#include <locale>
+#include <sstream>
+
 namespace index_boolean {
 
 namespace {
@@ -80,6 +83,18 @@ std::string quoted(const LayerName& layer) {
 	return "\"" + layer.label + "\" (id " + std::to_string(layer.id) + ")";
 }
 
+std::string counted(std::size_t count, const char* noun) {
+	return std::to_string(count) + " " + noun + (count == 1 ? "" : "s");
+}
+
+// Six significant digits, whatever the program's locale.
+std::string decimal(double number) {
+	std::ostringstream text;
+	text.imbue(std::locale::classic());
+	text << number;
+	return text.str();
+}
+
 // What describe(status) goes on from: the name of one layer, or a heading for its whole sentence.
 std::string subjectOf(const Remedy& remedy, const Status& status, const LayerNames& layers) {
 	switch (remedy.subject) {
@@ -133,6 +148,19 @@ std::string unexpectedMessage(const char* what) {
 std::string turnedMessage(const LayerName& layer) {
 	return "Layer " + quoted(layer) +
 	       " is inside out, or mirrored by its matrix: its faces were taken right side out.";
+}
+
+std::string blockMessage(const Block& block, const BlockMeasure& measure,
+                         const LayerNames& layers) {
+	return "\"" + blockLabel(block.operation, layers[0].label, layers[1].label) +
+	       "\": " + counted(block.triangles.size(), "face") + ", " +
+	       counted(measure.components, "component") + ", volume " + decimal(measure.volume) +
+	       ", area " + decimal(measure.area) + ".";
+}
+
+std::string timeMessage(double totalSeconds, double coreSeconds) {
+	return "Index Boolean took " + decimal(totalSeconds) + " s, " + decimal(coreSeconds) +
+	       " s of it for the arrangement, the blocks and their audit.";
 }
 
 std::string emptyBlockMessage(Operation operation, const LayerNames& layers) {

@@ -7,6 +7,7 @@
 
 #include "filter_definitions.h"
 
+#include <vcg_ext/measure.h>
 #include <vcg_ext/status.h>
 
 #include <array>
@@ -35,6 +36,12 @@ std::string unexpectedMessage(const char* what);
 
 // The core has turned the layer's faces: it was inside out, or its matrix mirrors it.
 std::string turnedMessage(const LayerName& layer);
+
+// What a block is like, for those who see the log and not the result map.
+std::string blockMessage(const Block& block, const BlockMeasure& measure, const LayerNames& layers);
+
+// How long the run took: as a whole, and its arithmetic.
+std::string timeMessage(double totalSeconds, double coreSeconds);
 
 // The block has no face: says what that means for the two layers.
 std::string emptyBlockMessage(Operation operation, const LayerNames& layers);

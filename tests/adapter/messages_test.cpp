@@ -80,6 +80,19 @@ TEST(Messages, anEmptyBlockSaysWhyForEachOperation) {
 	                     "\"50% cube\" (id 7) lies within \"bunny.ply\" (id 3)"));
 }
 
+TEST(Messages, theLogTellsFacesComponentsVolumeAndArea) {
+	Block block;
+	block.operation = Operation::FirstMinusSecond;
+	block.triangles.resize(12);
+	BlockMeasure measure;
+	measure.volume = 1234567.5;
+	measure.area = 0.125;
+	measure.components = 1;
+	EXPECT_EQ(
+	    blockMessage(block, measure, kLayers),
+	    "\"bunny.ply minus 50% cube\": 12 faces, 1 component, volume 1.23457e+06, area 0.125.");
+}
+
 TEST(FilterDefinitions, blocksAreParametersInTheOrderOfTheLayers) {
 	const auto& parameters = filterDefinition(FilterId::GenerateIndexBoolean).parameters;
 	for (std::size_t i = 0; i < kBlockDefinitions.size(); ++i) {

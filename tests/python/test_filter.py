@@ -409,6 +409,12 @@ class TestLog:
         log = log_of("document(FIRST, WITHIN_FIRST)")
         assert '"B minus A" is empty: "B" (id 1) lies within "A" (id 0).' in log
 
+    def test_eachBlockIsMeasuredAndTheRunTimed(self):
+        log = log_of("document(FIRST, SECOND)")
+        assert re.search(r'"A minus B": \d+ faces, 1 component, volume 7.34375, area ', log)
+        assert log.count(" volume ") == 4
+        assert re.search(r"Index Boolean took [\d.e-]+ s, [\d.e-]+ s of it", log)
+
     def test_percentsNeverFall(self):
         log = log_of("document(sphere(subdivisions=5), sphere((0.5, 0.3, 0.2), subdivisions=5))")
         percents = [int(percent) for percent in re.findall(r"\[ *(\d+)% \]", log)]

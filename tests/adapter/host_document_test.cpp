@@ -1,13 +1,15 @@
 // SPDX-FileCopyrightText: 2026 The Index Boolean authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The filter in a host's document, with a callback that answers false, which no host of today does.
-// Runs on pymeshlab's own libraries.
+// The filter in a host's document, in situations that pymeshlab does not let Python make: a
+// callback that answers false, layers with deleted elements. Runs on pymeshlab's own libraries.
 #include <filter_indexboolean.h>
 
 #include <vcg_ext/mesh_arrays_vcg.h>
 
 #include <gtest/gtest.h>
+
+#include <set>
 
 namespace index_boolean {
 namespace {
@@ -49,7 +51,7 @@ std::vector<int> stateOf(const MeshDocument& document) {
 	return state;
 }
 
-class HostCancel : public testing::Test {
+class HostDocument : public testing::Test {
 protected:
 	void SetUp() override {
 		addOctahedron({0, 0, 0}, "A", document);
@@ -69,7 +71,7 @@ protected:
 	MeshDocument document;
 };
 
-TEST_F(HostCancel, cancellingAtAnyCallThrowsAndChangesNothing) {
+TEST_F(HostDocument, cancellingAtAnyCallThrowsAndChangesNothing) {
 	const std::vector<int> before = stateOf(document);
 	int cancelled = 0;
 	for (int call = 1;; ++call) {
@@ -87,7 +89,33 @@ TEST_F(HostCancel, cancellingAtAnyCallThrowsAndChangesNothing) {
 	EXPECT_EQ(document.meshNumber(), 6u);
 }
 
-TEST_F(HostCancel, aHostWithoutACallbackGetsAllLayers) {
+TEST_F(HostDocument, deletedElementsAreLeftOut) {
+	CMeshO& mesh = document.getMesh(0)->cm;
+	const auto faces = vcg::tri::Allocator<CMeshO>::AddFaces(mesh, 1);
+	faces->V(0) = faces->V(1) = faces->V(2) = &mesh.vert[0];
+	const auto vertices = vcg::tri::Allocator<CMeshO>::AddVertices(mesh, 1);
+	std::swap(mesh.face[0].V(0), mesh.face[8].V(0));
+	std::swap(mesh.face[0].V(1), mesh.face[8].V(1));
+	std::swap(mesh.face[0].V(2), mesh.face[8].V(2));
+	vcg::tri::Allocator<CMeshO>::DeleteFace(mesh, mesh.face[0]);
+	vcg::tri::Allocator<CMeshO>::DeleteVertex(mesh, *vertices);
+	const std::map<std::string, QVariant> result = run(0);
+	EXPECT_GT(result.at("union_volume").toDouble(), 4.0 / 3);
+	EXPECT_LT(result.at("union_volume").toDouble(), 8.0 / 3);
+}
+
+TEST_F(HostDocument, selectionFindsFacesBehindDeletedOnes) {
+	CMeshO& mesh = document.getMesh(1)->cm;
+	vcg::tri::Allocator<CMeshO>::DeleteFace(mesh, mesh.face[0]);
+	EXPECT_THROW(run(0), MLException);
+	// Face 0 = (1, 3, 5) has an edge in common with each of these.
+	const std::set<std::size_t> neighbours{1, 3, 4};
+	for (std::size_t i = 1; i < mesh.face.size(); ++i)
+		EXPECT_EQ(mesh.face[i].IsS(), neighbours.count(i) == 1) << "face " << i;
+	EXPECT_TRUE(document.getMesh(0)->cm.face[2].IsS()) << "the other layer's selection is lost";
+}
+
+TEST_F(HostDocument, aHostWithoutACallbackGetsAllLayers) {
 	const QAction* action = filter.actions().front();
 	unsigned int mask = 0;
 	filter.applyFilter(action, filter.initParameterList(action, document), document, mask, nullptr);
