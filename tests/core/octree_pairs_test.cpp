@@ -323,7 +323,9 @@ TEST(OctreePairs, cancelIsHeardInsideOneLeaf) {
 	constexpr int kCount = 20000;
 	const auto add = [](Mesh& mesh, Point lo, Point hi) {
 		const auto first = static_cast<std::uint32_t>(mesh.points.size());
-		mesh.points.insert(mesh.points.end(), {lo, {hi[0], hi[1], lo[2]}, hi});
+		for (const Point& p : {lo, Point{hi[0], hi[1], lo[2]}, hi}) {
+			mesh.points.push_back(p);
+		}
 		mesh.triangles.push_back({first, first + 1, first + 2});
 	};
 	Mesh a, b;
