@@ -5,14 +5,11 @@
 // Both operands descend through one octree that is never stored: a node is two lists of boxes.
 // All tests are closed, so a pair reaches every leaf that its boxes' overlap reaches; the leaf that
 // holds the overlap's low corner reports it. Leaves are half open, the root has no bounds.
-// Boxes are floats. Both the clamp to the common box and the rounding never swap two numbers, hence
-// boxes that meet still meet afterwards, without any margin.
 #include "octree_pairs.h"
 
-#include "bounding_box.h"
+#include "face_boxes.h"
 #include "parallel.h"
 
-#include <cmath>
 #include <limits>
 #include <new>
 #include <numeric>
@@ -21,30 +18,10 @@ namespace index_boolean {
 
 namespace {
 
-constexpr std::size_t kGrain = 8192;       // faces or vertices that a thread takes at a time
 constexpr std::uint64_t kCost = 12;        // all pairs of a leaf cost no more than one more split
 constexpr std::size_t kSmallNode = 2048;   // faces of a node not worth to be shared by threads
 constexpr std::size_t kManyNodes = 64;     // nodes enough for all threads
 constexpr std::size_t kPollPairs = 65536;  // pairs tested between two looks at the monitor
-
-// The overlap of both operands' boxes, and the map of its coordinates to about [-1,1].
-struct Frame {
-	BoundingBox box;
-	Point centre;
-	double scale;
-	float half;  // of the root's cube in mapped coordinates, a power of two
-
-	float map(double x, std::size_t axis) const {
-		const double inside = std::min(std::max(x, box.lo[axis]), box.hi[axis]);
-		return static_cast<float>((inside - centre[axis]) * scale);
-	}
-};
-
-struct FaceBox {
-	std::array<float, 3> lo;
-	std::array<float, 3> hi;
-	std::uint32_t face;
-};
 
 struct BoxSpan {
 	const FaceBox* first = nullptr;
@@ -345,84 +322,12 @@ void Descent::sweep(const Node& node) {
 	}
 }
 
-Frame makeFrame(const BoundingBox& common) {
-	Frame frame{};
-	frame.box = common;
-	frame.centre = common.centre();
-	int exponent = 0;
-	std::frexp(common.halfSize(), &exponent);
-	const int scaleExponent = std::min(-exponent, 1000);
-	frame.scale = std::ldexp(1.0, scaleExponent);
-	frame.half = static_cast<float>(std::ldexp(1.0, exponent + scaleExponent));
-	return frame;
-}
-
-// The sides of the common box that a point lies beyond, as bits. A face that lies beyond one of
-// them with all corners meets no face of the other operand.
-std::uint8_t outcode(const Point& point, const Frame& frame) {
-	unsigned code = 0;
-	for (unsigned axis = 0; axis < 3; ++axis) {
-		code |= (point[axis] < frame.box.lo[axis] ? 1U : 0U) << (2 * axis);
-		code |= (point[axis] > frame.box.hi[axis] ? 2U : 0U) << (2 * axis);
-	}
-	return static_cast<std::uint8_t>(code);
-}
-
-FaceBox faceBox(const MeshArrays& mesh, std::size_t face, const Frame& frame) {
-	const Triangle& triangle = mesh.triangles[face];
-	const Point& p = at(mesh.points, triangle[0]);
-	const Point& q = at(mesh.points, triangle[1]);
-	const Point& r = at(mesh.points, triangle[2]);
-	FaceBox box{};
-	for (std::size_t axis = 0; axis < 3; ++axis) {
-		box.lo[axis] = frame.map(std::min(std::min(p[axis], q[axis]), r[axis]), axis);
-		box.hi[axis] = frame.map(std::max(std::max(p[axis], q[axis]), r[axis]), axis);
-	}
-	box.face = static_cast<std::uint32_t>(face);
-	return box;
-}
-
-// The boxes of one operand's faces that reach the common box, in the order of the faces.
-Status collectBoxes(const MeshArrays& mesh, std::size_t operand,
-                    const std::vector<std::uint8_t>& outcodes, const Frame& frame, int threads,
-                    Monitor& monitor, std::vector<FaceBox>& out) {
-	const std::size_t first = mesh.faceBegin[operand];
-	const std::size_t count = mesh.faceBegin[operand + 1] - first;
-	std::vector<std::vector<FaceBox>> parts(chunkCount(count, kGrain));
-	const Status status = parallelForChunks(
-	    count, kGrain, threads, monitor,
-	    [&](std::size_t chunk, std::size_t begin, std::size_t end) {
-		    for (std::size_t face = first + begin; face < first + end; ++face) {
-			    const Triangle& t = mesh.triangles[face];
-			    if ((at(outcodes, t[0]) & at(outcodes, t[1]) & at(outcodes, t[2])) == 0)
-				    parts[chunk].push_back(faceBox(mesh, face, frame));
-		    }
-	    });
-	std::size_t total = 0;
-	for (const auto& part : parts)
-		total += part.size();
-	out.reserve(total);
-	for (const auto& part : parts)
-		out.insert(out.end(), part.begin(), part.end());
-	return status;
-}
-
-Status findOutcodes(const MeshArrays& mesh, const Frame& frame, int threads, Monitor& monitor,
-                    std::vector<std::uint8_t>& outcodes) {
-	outcodes.resize(mesh.points.size());
-	return parallelFor(mesh.points.size(), kGrain, threads, monitor,
-	                   [&](std::size_t begin, std::size_t end) {
-		                   for (std::size_t i = begin; i < end; ++i)
-			                   outcodes[i] = outcode(mesh.points[i], frame);
-	                   });
-}
-
-Node makeRoot(const Frame& frame, const std::array<std::vector<FaceBox>, 2>& boxes) {
+Node makeRoot(const FaceBoxes& boxes) {
 	Node root{};
 	root.low.fill(-std::numeric_limits<float>::infinity());
-	root.half = frame.half;
+	root.half = boxes.halfSize;
 	for (std::size_t k = 0; k < 2; ++k)
-		root.faces[k] = {boxes[k].data(), boxes[k].size()};
+		root.faces[k] = {boxes.operand[k].data(), boxes.operand[k].size()};
 	return root;
 }
 
@@ -500,27 +405,12 @@ Status descend(const Node& root, const Options& options, Monitor& monitor,
 // The steps of findPairs, which adds the guard against running out of memory between regions.
 Status findPairsUnguarded(const MeshArrays& mesh, const Options& options, Monitor& monitor,
                           std::vector<FacePair>& out) {
-	std::array<BoundingBox, 2> operandBoxes;
-	for (std::size_t k = 0; k < 2; ++k) {
-		const Point* points = mesh.points.data() + mesh.vertexBegin[k];
-		const std::size_t count = mesh.vertexBegin[k + 1] - mesh.vertexBegin[k];
-		Status status = findBoundingBox(points, count, options.threads, monitor, operandBoxes[k]);
-		if (!status.ok())
-			return status;
-	}
-	const BoundingBox common = commonBox(operandBoxes[0], operandBoxes[1]);
-	if (common.empty())
-		return {};
-	const Frame frame = makeFrame(common);
-	std::vector<std::uint8_t> outcodes;
-	Status status = findOutcodes(mesh, frame, options.threads, monitor, outcodes);
-	std::array<std::vector<FaceBox>, 2> boxes;
-	for (std::size_t k = 0; k < 2 && status.ok(); ++k)
-		status = collectBoxes(mesh, k, outcodes, frame, options.threads, monitor, boxes[k]);
-	if (!status.ok() || boxes[0].empty() || boxes[1].empty())
+	FaceBoxes boxes;
+	Status status = collectFaceBoxes(mesh, options.threads, monitor, boxes);
+	if (!status.ok() || boxes.operand[0].empty() || boxes.operand[1].empty())
 		return status;
 	std::vector<std::vector<FacePair>> parts;
-	status = descend(makeRoot(frame, boxes), options, monitor, parts);
+	status = descend(makeRoot(boxes), options, monitor, parts);
 	if (status.ok())
 		sortPairs(parts, mesh.faceBegin[1], out);
 	return status;
