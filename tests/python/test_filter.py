@@ -27,6 +27,7 @@ STAGES = (
     "loops",
     "labels",
     "blocks",
+    "clean",
     "audit",
 )
 
@@ -127,7 +128,7 @@ SHIFT = translation(0.0625, 0.03125, -0.015625)
 def set_matrix(mesh_set, layer, matrix):
     current = mesh_set.current_mesh_id()
     mesh_set.set_current_mesh(layer)
-    mesh_set.set_matrix(transformmatrix=matrix)
+    mesh_set.set_matrix(transformmatrix=matrix, freeze=False)
     mesh_set.set_current_mesh(current)
 
 
