@@ -92,13 +92,13 @@ Status Labeller::uniteNodes() {
 	label.assign(mesh_.points.size(), Label::Unused);
 	// Faces that are not touched have vertices of their own operand only, so each operand may be
 	// united on a thread of its own.
+	const int halves = threadsForHalves(mesh_.points.size(), arrangement_.options.threads);
 	const Status status =
-	    parallelFor(2, 1, arrangement_.options.threads, monitor_,
-	                [this](std::size_t begin, std::size_t end) {
-		                for (std::size_t operand = begin; operand < end; ++operand) {
-			                uniteFaces(operand);
-		                }
-	                });
+	    parallelFor(2, 1, halves, monitor_, [this](std::size_t begin, std::size_t end) {
+		    for (std::size_t operand = begin; operand < end; ++operand) {
+			    uniteFaces(operand);
+		    }
+	    });
 	for (const auto& link : refinement_.links) {
 		if (link[1].value < label.size()) {
 			label[link[1].value] = Label::Unknown;

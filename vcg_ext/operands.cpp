@@ -175,7 +175,8 @@ Status weldCorners(MeshArrays& mesh, int threads, Monitor& monitor) {
 	std::vector<VertexId> canonical(mesh.points.size());
 	std::array<VertexTable, 2> tables;
 	std::array<bool, 2> any{};
-	Status status = parallelFor(2, 1, threads, monitor, [&](std::size_t begin, std::size_t end) {
+	const int halves = threadsForHalves(mesh.points.size(), threads);
+	Status status = parallelFor(2, 1, halves, monitor, [&](std::size_t begin, std::size_t end) {
 		for (std::size_t operand = begin; operand < end; ++operand) {
 			any[operand] = tables[operand].fill(mesh, operand, canonical);
 		}

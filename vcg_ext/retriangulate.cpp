@@ -509,7 +509,7 @@ Status refuseFace(const Arrangement& arrangement, FaceId face) {
 }  // namespace
 
 Status retriangulate(Arrangement& arrangement, Monitor& monitor) {
-	constexpr std::size_t kGrain = 64;
+	constexpr std::size_t kGrain = 256;
 	const std::vector<FaceId>& faces = arrangement.curve.touchedFaces;
 	std::vector<ChunkPieces> chunks(chunkCount(faces.size(), kGrain));
 	const Status status = parallelForChunks(

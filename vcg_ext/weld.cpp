@@ -109,7 +109,7 @@ void Welder::numberPoints() {
 
 Status Welder::roundPoints() {
 	curve_.rounded.resize(curve_.pointCount());
-	return parallelFor(curve_.pointCount(), 256, arrangement_.options.threads, monitor_,
+	return parallelFor(curve_.pointCount(), 1024, arrangement_.options.threads, monitor_,
 	                   [&](std::size_t begin, std::size_t end) {
 		                   for (std::size_t p = begin; p < end; ++p) {
 			                   ExactPoint point = exact(arrangement_.vertexOf(makeId<PointTag>(p)));
@@ -235,7 +235,7 @@ Status Welder::refuseCoincidentPoints(const CutEdge& edge) const {
 Status Welder::sortPointsOnEdges() {
 	std::atomic<std::uint32_t> firstTied{0xffffffffu};
 	Status status = parallelFor(
-	    curve_.cutEdges.size(), 64, arrangement_.options.threads, monitor_,
+	    curve_.cutEdges.size(), 512, arrangement_.options.threads, monitor_,
 	    [&](std::size_t begin, std::size_t end) {
 		    for (std::size_t e = begin; e < end; ++e) {
 			    const CutEdge& edge = curve_.cutEdges[e];
