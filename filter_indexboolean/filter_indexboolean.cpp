@@ -92,8 +92,6 @@ void showDefect(const Status& status, const OperandArrays& operands, const Task&
 	const std::size_t operand = status.operand == 1 ? 1 : 0;
 	if (!status.faces.empty())
 		selectFaces(status.faces, operands.faces[operand], *task.layers[operand]);
-	if (!status.otherFaces.empty())
-		selectFaces(status.otherFaces, operands.faces[1], *task.layers[1]);
 }
 
 std::vector<QString> blockLabels(const Task& task) {

@@ -61,10 +61,6 @@ constexpr std::array<Remedy, kStatusCodeCount> kRemedies{{
      "The faces found are selected. \"Select Self Intersecting Faces\" "
      "(compute_selection_by_self_intersections_per_face) shows all of them; delete them and close "
      "the holes with \"Close Holes\" (meshing_close_holes)."},
-    {StatusCode::DegenerateContact, Subject::BothLayers,
-     "The faces that touch are selected in both layers. Move one of the layers by a small amount "
-     "with \"Matrix: Set from translation/rotation/scale\" "
-     "(compute_matrix_from_translation_rotation_scale), so that the surfaces cross or stay apart."},
     {StatusCode::InternalError, Subject::Run,
      "Nothing was changed: no result is better than a wrong one. Both layers, as they are, belong "
      "to the report."},

@@ -33,18 +33,19 @@ struct StageTime {
 	double seconds;
 };
 
-// A point of the curve is named by the pair of lowest simplices that meet there, one of each
-// operand; equal names are one point (unique, as long as no operand touches itself).
+// A point of contact is named by the pair of lowest simplices that meet there, one of each operand;
+// equal names are one point (unique, as long as no operand touches itself). Vertices of both
+// operands in one place have been welded: they are one vertex from the beginning.
 enum class PointKind : std::uint8_t {
-	VertexVertex,  // ids: vertex, vertex
-	VertexEdge,    // ids: vertex, edge's lower vertex, edge's higher vertex
-	VertexFace,    // ids: vertex, face
-	EdgeEdge,      // ids: lower, higher vertex of the first operand's edge, then the second's
-	EdgeFace,      // ids: edge's lower vertex, edge's higher vertex, face
+	Vertex,    // ids: a vertex common to both operands, or of one inside a face of the other
+	OnEdge,    // ids: vertex; lower, higher vertex of an edge of the other operand
+	EdgeEdge,  // ids: lower, higher vertex of the first operand's edge, then of the second's
+	EdgeFace,  // ids: lower, higher vertex of an edge; a face of the other operand
 };
 
 struct PointName {
 	PointKind kind;
+	std::uint8_t axis;  // EdgeEdge: a projection in which the edges are not parallel; no part of the name
 	std::array<std::uint32_t, 4> ids;
 
 	friend bool operator==(const PointName& a, const PointName& b) {
@@ -55,64 +56,92 @@ struct PointName {
 	}
 };
 
-// One edge of the intersection curve: where the faces a (of operand 0) and b (of operand 1) cross.
-// Directed along normal(a) x normal(b): on a, the inside of operand 1 is to its left; on b, the
-// inside of operand 0 to its right.
+// One edge of the intersection curve. `crossing`: the faces a (of operand 0) and b (of operand 1)
+// cross there, inside both; then it is directed along normal(a) x normal(b): on a, the inside of
+// operand 1 is to its left; on b, the inside of operand 0 to its right. Else more faces meet there,
+// or the direction means nothing.
 struct Segment {
-	PointId begin, end;
+	VertexId begin, end;
 	FaceId a, b;
+	bool crossing;
 };
 
-// An input edge with points on it: pointsOnEdges[first .. first + count) in order from `low` on.
+// A segment as one face sees it.
+struct FaceSegment {
+	FaceId face;
+	SegmentId segment;
+};
+
+// A line inside a face that its pieces must respect but that parts nothing: a diagonal of a coplanar
+// overlap, by which both operands' pieces there are the same triangles.
+struct FaceDiagonal {
+	FaceId face;
+	VertexId begin, end;
+};
+
+// An input edge with points on it, or with both ends on the other operand:
+// pointsOnEdges[first .. first + count) in order from `low` on. Its count + 1 intervals are
+// numbered from firstInterval on.
 struct CutEdge {
 	VertexId low, high;  // low < high
 	std::uint32_t first, count;
+	std::uint32_t firstInterval;
 };
 
-// The points of the curve, the edges they lie on, and the segments between them. Points are sorted
-// by name, cut edges by their vertices, segments by their faces.
+// The points of contact, the edges they lie on, and the segments between them. New points are sorted
+// by name, cut edges by their vertices, segments by their first pair of faces.
 struct Curve {
-	std::vector<PointName> names;
-	std::vector<Point> rounded;  // each point's coordinates, correctly rounded to double
+	std::vector<PointName> names;  // of the new points
+	std::vector<Point> rounded;    // their coordinates, correctly rounded to double
+	std::vector<std::uint8_t> onOther;  // per input vertex: it lies on the other operand
+	std::vector<FaceId> touchedFaces;   // sorted
 	std::vector<CutEdge> cutEdges;
-	std::vector<PointId> pointsOnEdges;
+	std::vector<VertexId> pointsOnEdges;
 	std::vector<Segment> segments;
+	std::vector<FaceSegment> faceSegments;    // sorted by face
+	std::vector<FaceDiagonal> faceDiagonals;  // sorted by face
 
 	std::size_t pointCount() const { return names.size(); }
+	std::size_t intervalCount() const { return pointsOnEdges.size() + cutEdges.size(); }
 };
 
-// A label node: an input vertex, an interval between neighbouring points of a cut edge (numbered
-// after the vertices, as the left one of its points in pointsOnEdges), or a region of a cut face
-// (numbered after the intervals).
+// A label node: an input vertex, an interval of a cut edge (numbered after the vertices), or a
+// region of a touched face (numbered after the intervals).
 using NodeId = Id<struct NodeTag>;
 
-// A face that the curve cuts: pieces[firstPiece .. next cut face's), turned as the face is.
+// A face that the other operand touches: pieces[firstPiece .. next one's), turned as the face is.
 struct CutFace {
 	FaceId face;
 	std::uint32_t firstPiece;
 };
 
-// The regions to both sides of a segment, on each of its two faces.
-struct SegmentSides {
-	std::array<NodeId, 2> left, right;  // by operand
+// The regions of one face to both sides of a segment on it; one of them is none() where the segment
+// lies on the face's border.
+struct SegmentSide {
+	SegmentId segment;
+	FaceId face;
+	NodeId left, right;
 };
 
 // Both surfaces refined by the curve.
 struct Refinement {
 	std::vector<CutFace> cutFaces;  // sorted by face
 	std::vector<Triangle> pieces;
-	std::vector<NodeId> pieceRegion;             // per piece
-	std::vector<SegmentSides> sides;             // per segment
-	std::vector<std::array<NodeId, 2>> links;    // nodes that have one label: (region, other)
+	std::vector<NodeId> pieceRegion;           // per piece
+	std::vector<SegmentSide> sides;            // sorted by segment, then by face
+	std::vector<std::array<NodeId, 2>> links;  // nodes that have one label: (region, other)
+	std::vector<std::array<NodeId, 2>> cornerLinks;  // (region, corner of its face on the other operand)
 	std::uint32_t nodeCount = 0;
-	std::vector<std::uint8_t> isCut;             // per face
+	std::vector<std::uint8_t> isCut;           // per face: it is one of cutFaces
 };
 
-// What lies inside the other operand. Values: 0 outside, 1 inside; vertices no face uses: kUnused.
-constexpr std::uint8_t kUnused = 2;
+// Where an element of one operand lies with respect to the other. On*: a piece of a face that lies
+// in the other's surface, whose normal there points the same way or the opposite way.
+enum class Label : std::uint8_t { Outside, Inside, OnSame, OnOpposite, OnVertex, Unused, Unknown };
+
 struct Labels {
-	std::vector<std::uint8_t> vertexInside;  // per input vertex
-	std::vector<std::uint8_t> pieceInside;   // per piece
+	std::vector<Label> vertex;  // per input vertex: Outside, Inside, OnVertex, or Unused by any face
+	std::vector<Label> piece;   // per piece: the first four
 	std::array<std::uint32_t, 2> components{};  // vertex-connected components of each operand
 };
 
@@ -121,7 +150,7 @@ struct Labels {
 enum class LoopKind : std::uint8_t { Open, HardClosed, SoftClosed };
 struct Loop {
 	LoopKind kind;
-	std::vector<PointId> points;
+	std::vector<VertexId> points;
 };
 
 struct Arrangement {
@@ -150,6 +179,8 @@ struct Arrangement {
 	PointId pointOf(VertexId v) const {
 		return {v.value - static_cast<std::uint32_t>(mesh.points.size())};
 	}
+	// Whether a vertex lies on the other operand: a new point, or an input vertex in contact.
+	bool isOnOther(VertexId v) const { return isCurvePoint(v) || at(curve.onOther, v) != 0; }
 	// Coordinates of an input vertex or of a curve point (rounded to double).
 	const Point& coordinates(VertexId v) const {
 		return isCurvePoint(v) ? at(curve.rounded, pointOf(v)) : at(mesh.points, v);

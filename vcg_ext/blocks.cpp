@@ -9,6 +9,7 @@
 #include "parallel.h"
 #include "weld.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace index_boolean {
@@ -17,8 +18,8 @@ namespace {
 
 constexpr std::size_t kGrain = 1 << 15;
 
-// What becomes of the faces of one operand that lie inside (or outside) the other. A symmetric
-// difference is two solids that share the curve: each has its own copy of the curve's points.
+// What becomes of the faces of one operand that have one label. A symmetric difference is two solids
+// that share the curve: each has its own copy of the curve's points.
 struct Rule {
 	bool kept;
 	bool turned;
@@ -30,15 +31,16 @@ constexpr Rule kTurn{true, true, 0};
 constexpr Rule kKeepOther{true, false, 1};
 constexpr Rule kTurnOther{true, true, 1};
 
-// [operation][operand][inside the other operand]. A face is kept iff the operation's truth differs
-// between its two sides, turned iff it is true in front of the face.
-constexpr Rule kRules[kOperationCount][2][2] = {
-    // first: outside, inside       second: outside, inside
-    {{kKeep, kDrop}, {kKeep, kDrop}},            // union
-    {{kDrop, kKeep}, {kDrop, kKeep}},            // intersection
-    {{kKeep, kDrop}, {kDrop, kTurn}},            // first minus second
-    {{kDrop, kTurn}, {kKeep, kDrop}},            // second minus first
-    {{kKeep, kTurnOther}, {kKeepOther, kTurn}},  // symmetric difference
+// [operation][operand][label]. A face is kept iff the operation's truth differs between its two
+// sides, turned iff it is true in front of the face. Of two coinciding faces the first operand's is
+// taken.
+constexpr Rule kRules[kOperationCount][2][4] = {
+    // outside, inside, on: same way, on: opposite way
+    {{kKeep, kDrop, kKeep, kDrop}, {kKeep, kDrop, kDrop, kDrop}},            // union
+    {{kDrop, kKeep, kKeep, kDrop}, {kDrop, kKeep, kDrop, kDrop}},            // intersection
+    {{kKeep, kDrop, kDrop, kKeep}, {kDrop, kTurn, kDrop, kDrop}},            // first minus second
+    {{kDrop, kTurn, kDrop, kTurn}, {kKeep, kDrop, kDrop, kDrop}},            // second minus first
+    {{kKeep, kTurnOther, kDrop, kDrop}, {kKeepOther, kTurn, kDrop, kDrop}},  // symmetric difference
 };
 
 // The exact point rounded to float, once: the double next to it decides, unless it lies half-way
@@ -75,34 +77,42 @@ private:
 	Status collectVertices();
 	Status collectFaces();
 	void collectPieces();
+	template <class Visit>
+	void visitKeptPieces(Visit&& visit) const;
 
-	const Rule& rule(std::size_t operand, std::uint8_t inside) const {
-		return rules_[operand][inside];
+	const Rule& rule(std::size_t operand, Label label) const {
+		return rules_[operand][static_cast<std::size_t>(label)];
 	}
+	// Whether a vertex off the other operand is kept: its faces all have its label.
 	bool keepsVertex(std::size_t v) const {
-		const std::uint8_t inside = arrangement_.labels.vertexInside[v];
-		const int operand = arrangement_.mesh.operandOf(makeId<VertexTag>(v));
-		return inside != kUnused && rule(static_cast<std::size_t>(operand), inside).kept;
+		const Label label = arrangement_.labels.vertex[v];
+		const std::size_t operand = v < arrangement_.mesh.vertexBegin[1] ? 0 : 1;
+		return (label == Label::Outside || label == Label::Inside) && rule(operand, label).kept;
 	}
 	const Rule& uncutRule(std::size_t face) const {
 		const VertexId corner = arrangement_.mesh.triangles[face][0];
 		return rule(static_cast<std::size_t>(arrangement_.mesh.operandOf(makeId<FaceTag>(face))),
-		            at(arrangement_.labels.vertexInside, corner));
+		            at(arrangement_.labels.vertex, corner));
 	}
+	// Two copies of the curve's points keep the parts of a symmetric difference apart, unless a wall
+	// between them is taken away.
+	std::size_t copyOf(const Rule& rule) const { return oneCopy_ ? 0 : rule.curveCopy; }
 	bool keepsFace(std::size_t face) const {
 		return arrangement_.refinement.isCut[face] == 0 && uncutRule(face).kept;
 	}
-	void addCurvePoints(std::size_t copies);
+	void addCurvePoints();
 	Point outputCoordinates(VertexId v) const;
 	void write(std::size_t slot, const std::array<std::uint32_t, 3>& corners, FaceId face,
 	           bool turned);
 
 	const Arrangement& arrangement_;
-	const Rule (&rules_)[2][2];
+	const Rule (&rules_)[2][4];
 	Monitor& monitor_;
 	Block& out_;
-	std::vector<std::uint32_t> newIndex_;  // per input vertex, if kept
-	std::uint32_t firstCurvePoint_ = 0;
+	// Per copy, per input vertex and curve point: its place in the block, if it is kept. Vertices off
+	// the curve have their place in the first copy.
+	std::array<std::vector<std::uint32_t>, 2> newIndex_;
+	bool oneCopy_ = false;
 };
 
 // Counts what `keeps` in each chunk of n items; returns where each chunk's begin, the total last.
@@ -141,8 +151,7 @@ Status Collector::collectVertices() {
 	if (!status.ok()) {
 		return status;
 	}
-	firstCurvePoint_ = static_cast<std::uint32_t>(begins.back());
-	newIndex_.resize(n);
+	newIndex_[0].resize(n + arrangement_.curve.pointCount());
 	out_.points.resize(begins.back());
 	out_.vertexSource.resize(begins.back());
 	status = parallelForChunks(
@@ -150,23 +159,58 @@ Status Collector::collectVertices() {
 		    std::size_t slot = begins[chunk];
 		    for (std::size_t v = begin; v < end; ++v) {
 			    if (keepsVertex(v)) {
-				    newIndex_[v] = static_cast<std::uint32_t>(slot);
+				    newIndex_[0][v] = static_cast<std::uint32_t>(slot);
 				    out_.points[slot] = outputCoordinates(makeId<VertexTag>(v));
 				    out_.vertexSource[slot] = makeId<VertexTag>(v);
 				    ++slot;
 			    }
 		    }
 	    });
-	addCurvePoints(rules_[0][1].curveCopy != rules_[0][0].curveCopy ? 2 : 1);
+	addCurvePoints();
 	return status;
 }
 
-// Around each point of the curve both operands have faces inside and outside the other, so every
-// operation uses every point.
-void Collector::addCurvePoints(std::size_t copies) {
-	for (std::size_t copy = 0; copy < copies; ++copy) {
-		for (std::uint32_t p = 0; p < arrangement_.curve.pointCount(); ++p) {
-			const VertexId v = arrangement_.vertexOf({p});
+// Calls visit(face, piece, rule) for each piece that is kept.
+template <class Visit>
+void Collector::visitKeptPieces(Visit&& visit) const {
+	const Refinement& refinement = arrangement_.refinement;
+	for (std::size_t i = 0; i < refinement.cutFaces.size(); ++i) {
+		const CutFace& cutFace = refinement.cutFaces[i];
+		const std::size_t end = i + 1 < refinement.cutFaces.size()
+		                            ? refinement.cutFaces[i + 1].firstPiece
+		                            : refinement.pieces.size();
+		const auto operand = static_cast<std::size_t>(arrangement_.mesh.operandOf(cutFace.face));
+		for (std::size_t piece = cutFace.firstPiece; piece < end; ++piece) {
+			const Rule& pieceRule = rule(operand, arrangement_.labels.piece[piece]);
+			if (pieceRule.kept) {
+				visit(cutFace.face, refinement.pieces[piece], pieceRule);
+			}
+		}
+	}
+}
+
+// Adds the vertices on the curve that kept pieces use, in the order of their ids.
+void Collector::addCurvePoints() {
+	const std::vector<Label>& labels = arrangement_.labels.piece;
+	oneCopy_ = std::find(labels.begin(), labels.end(), Label::OnOpposite) != labels.end();
+	std::array<std::vector<VertexId>, 2> used;
+	visitKeptPieces([&](FaceId, const Triangle& t, const Rule& pieceRule) {
+		for (const VertexId v : t) {
+			if (arrangement_.isOnOther(v)) {
+				used[copyOf(pieceRule)].push_back(v);
+			}
+		}
+	});
+	for (std::size_t copy = 0; copy < 2; ++copy) {
+		std::vector<VertexId>& vertices = used[copy];
+		std::sort(vertices.begin(), vertices.end());
+		vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+		if (!vertices.empty()) {
+			newIndex_[copy].resize(arrangement_.mesh.points.size() +
+			                       arrangement_.curve.pointCount());
+		}
+		for (const VertexId v : vertices) {
+			at(newIndex_[copy], v) = static_cast<std::uint32_t>(out_.points.size());
 			out_.points.push_back(outputCoordinates(v));
 			out_.vertexSource.push_back(v);
 		}
@@ -199,7 +243,8 @@ Status Collector::collectFaces() {
 			    if (keepsFace(face)) {
 				    const Triangle& t = arrangement_.mesh.triangles[face];
 				    write(slot++,
-				          {at(newIndex_, t[0]), at(newIndex_, t[1]), at(newIndex_, t[2])},
+				          {at(newIndex_[0], t[0]), at(newIndex_[0], t[1]),
+				           at(newIndex_[0], t[2])},
 				          makeId<FaceTag>(face), uncutRule(face).turned);
 			    }
 		    }
@@ -207,33 +252,17 @@ Status Collector::collectFaces() {
 }
 
 void Collector::collectPieces() {
-	const Refinement& refinement = arrangement_.refinement;
-	const auto pointCount = static_cast<std::uint32_t>(arrangement_.curve.pointCount());
 	out_.firstPiece = out_.triangles.size();
-	for (std::size_t i = 0; i < refinement.cutFaces.size(); ++i) {
-		const CutFace& cutFace = refinement.cutFaces[i];
-		const std::size_t end = i + 1 < refinement.cutFaces.size()
-		                            ? refinement.cutFaces[i + 1].firstPiece
-		                            : refinement.pieces.size();
-		const auto operand = static_cast<std::size_t>(arrangement_.mesh.operandOf(cutFace.face));
-		for (std::size_t piece = cutFace.firstPiece; piece < end; ++piece) {
-			const Rule& rules = rule(operand, arrangement_.labels.pieceInside[piece]);
-			if (!rules.kept) {
-				continue;
-			}
-			std::array<std::uint32_t, 3> corners{};
-			for (std::size_t k = 0; k < 3; ++k) {
-				const VertexId v = refinement.pieces[piece][k];
-				corners[k] = arrangement_.isCurvePoint(v)
-				                 ? firstCurvePoint_ + rules.curveCopy * pointCount +
-				                       arrangement_.pointOf(v).value
-				                 : at(newIndex_, v);
-			}
-			out_.triangles.emplace_back();
-			out_.faceSource.emplace_back();
-			write(out_.triangles.size() - 1, corners, cutFace.face, rules.turned);
+	visitKeptPieces([&](FaceId face, const Triangle& t, const Rule& pieceRule) {
+		std::array<std::uint32_t, 3> corners{};
+		for (std::size_t k = 0; k < 3; ++k) {
+			const std::size_t copy = arrangement_.isOnOther(t[k]) ? copyOf(pieceRule) : 0;
+			corners[k] = at(newIndex_[copy], t[k]);
 		}
-	}
+		out_.triangles.emplace_back();
+		out_.faceSource.emplace_back();
+		write(out_.triangles.size() - 1, corners, face, pieceRule.turned);
+	});
 }
 
 Status Collector::run() {

@@ -196,6 +196,26 @@ int orient2d(const Point& a, const Point& b, const Point& c, int axis) {
 	});
 }
 
+int orient2d(const Point& a, const Point& b, const MeanPoint& p, int axis) {
+	return decideSign([&](auto tag) {
+		using N = typename decltype(tag)::Type;
+		const auto term = [&](std::size_t i) {
+			return N(p.weights[i]) * orient2dValue<N>(a, b, *p.of[i], axis);
+		};
+		return (term(0) + term(1) + term(2)).sign();
+	});
+}
+
+int orient3d(const Point& a, const Point& b, const Point& c, const MeanPoint& p) {
+	return decideSign([&](auto tag) {
+		using N = typename decltype(tag)::Type;
+		const auto term = [&](std::size_t i) {
+			return N(p.weights[i]) * orient3dValue<N>(a, b, c, *p.of[i]);
+		};
+		return (term(0) + term(1) + term(2)).sign();
+	});
+}
+
 ExactPoint ExactPoint::explicitPoint(const Point& p) {
 	ExactPoint point = make(Form::Explicit, 0);
 	point.by[0] = &p;

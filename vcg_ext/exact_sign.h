@@ -30,6 +30,16 @@ int exactVolumeSign(const std::vector<Point>& points, const Triangle* begin, con
 // against that axis.
 int orient2d(const Point& a, const Point& b, const Point& c, int axis);
 
+// A point as a weighted mean of three others. \pre the weights' sum is positive
+struct MeanPoint {
+	std::array<const Point*, 3> of;
+	std::array<double, 3> weights;  // small integers
+};
+
+// As orient2d and orient3d above, for a mean in the last place; both are linear in it.
+int orient2d(const Point& a, const Point& b, const MeanPoint& p, int axis);
+int orient3d(const Point& a, const Point& b, const Point& c, const MeanPoint& p);
+
 // A point as the input simplices that define it; borrowed pointers into the input's points.
 //   Explicit     by[0]
 //   LinePlane    line by[0] by[1], plane by[2] by[3] by[4]

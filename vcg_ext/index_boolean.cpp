@@ -133,7 +133,7 @@ Status arrange(MeshArrays input, const Options& options, Monitor& monitor, Arran
 		out.options = options;
 		out.mesh = std::move(input);
 		std::vector<FacePair> pairs;
-		std::vector<NamedSegment> contacts;
+		Contacts contacts;
 		Stages stages(monitor, out.stageTimes);
 		stages.run("operands", 0.25, [&] { return prepareOperands(out, monitor); });
 		stages.run("octree_pairs", 0.25, [&] { return findPairs(out.mesh, options, monitor, pairs); });

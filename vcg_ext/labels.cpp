@@ -1,168 +1,116 @@
 // SPDX-FileCopyrightText: 2026 The Index Boolean authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A class is a set of vertices, edge intervals and regions of cut faces that no segment parts. Its
-// winding number in the other operand comes from a ray, or, if it has no vertex, from a neighbour
-// across a segment; then every segment must see a difference of one.
+// A class is a set of vertices, edge intervals and regions of touched faces that no segment parts.
+// Every segment labels the classes beside it; every class with a vertex off the other operand gets a
+// winding number from a ray as well, and so does each that no segment bounds.
 #include "labels.h"
 
 #include "exact_sign.h"
 #include "parallel.h"
+#include "radial_order.h"
 #include "union_find.h"
 #include "winding_rays.h"
 
 #include <algorithm>
-#include <limits>
+#include <numeric>
 
 namespace index_boolean {
 
 namespace {
 
 constexpr std::size_t kGrain = 1 << 15;
-constexpr int kUnknownWinding = std::numeric_limits<int>::min();
-
-// Which sides of a segment hold the inside of the other operand: on operand 0's face the left one,
-// on operand 1's the right one.
-struct SidePair {
-	NodeId inside, outside;
-};
-
-SidePair sidesOn(const SegmentSides& sides, std::size_t operand) {
-	return operand == 0 ? SidePair{sides.left[0], sides.right[0]}
-	                    : SidePair{sides.right[1], sides.left[1]};
-}
-
-// Across a segment: what a class's winding number tells of its neighbour's.
-struct ClassStep {
-	std::uint32_t from, to;  // class roots
-	int difference;
-};
 
 class Labeller {
 public:
 	Labeller(Arrangement& arrangement, Monitor& monitor)
-	    : arrangement_(arrangement), mesh_(arrangement.mesh), monitor_(monitor),
-	      nodes_(arrangement.refinement.nodeCount) {}
+	    : arrangement_(arrangement), mesh_(arrangement.mesh), refinement_(arrangement.refinement),
+	      monitor_(monitor), nodes_(arrangement.refinement.nodeCount) {}
 
 	Status run();
 
 private:
 	Status uniteNodes();
 	void uniteFaces(std::size_t operand);
-	Status castClassRays();
-	void propagate();
-	Status checkSegments();
-	Status checkWindings();
-	Status checkComponents();
 	void findComponents();
+	std::uint32_t countComponents(std::size_t operand) const;
+	Status checkComponents();
 	Status checkNesting(std::size_t operand);
+	Status labelBySegments();
+	Status labelBesides(std::size_t first, std::size_t last);
+	Status labelByRays();
+	Status labelClasses(std::size_t operand, std::vector<RayQuery>& queries);
+	Status setLabel(NodeId node, Label label, FaceId face);
 	Status fill();
 
-	bool isVertex(std::uint32_t node) const { return node < mesh_.points.size(); }
-	bool isUsedVertex(std::uint32_t v) const {
-		return arrangement_.labels.vertexInside[v] != kUnused;
+	bool isFreeVertex(std::uint32_t v) const {
+		return arrangement_.labels.vertex[v] == Label::Unknown;
 	}
-	std::uint32_t componentOf(FaceId face) const {
-		return components_.root(nodes_.root(at(mesh_.triangles, face)[0].value));
+	int operandOfRegion(NodeId region) const {
+		return region < firstRegionOfSecond_ ? 0 : 1;
 	}
+	std::uint32_t nodeOf(FaceId face) const;
+	std::uint32_t componentOf(FaceId face) const { return components_.root(nodeOf(face)); }
 
 	Arrangement& arrangement_;
 	const MeshArrays& mesh_;
+	const Refinement& refinement_;
 	Monitor& monitor_;
 	UnionFind nodes_;           // sets: the classes
-	UnionFind components_{0};   // over class roots; sets: the operands' components
-	std::vector<int> winding_;  // per class root, of the other operand
+	UnionFind components_{0};   // over nodes; sets: the operands' components
+	NodeId firstRegionOfSecond_ = NodeId::none();
+	std::vector<Label> label_;  // per class root
 };
 
+// A node of the face: one of its vertices, or its first region.
+std::uint32_t Labeller::nodeOf(FaceId face) const {
+	if (at(refinement_.isCut, face) == 0) {
+		return at(mesh_.triangles, face)[0].value;
+	}
+	const auto cut =
+	    std::lower_bound(refinement_.cutFaces.begin(), refinement_.cutFaces.end(), face,
+	                     [](const CutFace& c, FaceId f) { return c.face < f; });
+	return refinement_.pieceRegion[cut->firstPiece].value;
+}
+
 void Labeller::uniteFaces(std::size_t operand) {
-	std::vector<std::uint8_t>& used = arrangement_.labels.vertexInside;
-	const std::vector<std::uint8_t>& isCut = arrangement_.refinement.isCut;
+	std::vector<Label>& label = arrangement_.labels.vertex;
+	const std::vector<std::uint8_t>& isCut = refinement_.isCut;
 	for (std::size_t f = mesh_.faceBegin[operand]; f < mesh_.faceBegin[operand + 1]; ++f) {
 		const Triangle& t = mesh_.triangles[f];
-		used[t[0].value] = used[t[1].value] = used[t[2].value] = 0;
 		if (isCut[f] == 0) {
+			label[t[0].value] = label[t[1].value] = label[t[2].value] = Label::Unknown;
 			nodes_.unite(t[0].value, t[1].value);
 			nodes_.unite(t[1].value, t[2].value);
 		}
 	}
 }
 
+// A vertex on the other operand joins nothing: what meets there may lie on different sides.
 Status Labeller::uniteNodes() {
-	arrangement_.labels.vertexInside.assign(mesh_.points.size(), kUnused);
-	// The operands share no vertex, so each may be united on a thread of its own.
+	std::vector<Label>& label = arrangement_.labels.vertex;
+	label.assign(mesh_.points.size(), Label::Unused);
+	// Faces that are not touched have vertices of their own operand only, so each operand may be
+	// united on a thread of its own.
+	const int halves = threadsForHalves(mesh_.points.size(), arrangement_.options.threads);
 	const Status status =
-	    parallelFor(2, 1, arrangement_.options.threads, monitor_,
-	                [this](std::size_t begin, std::size_t end) {
-		                for (std::size_t operand = begin; operand < end; ++operand) {
-			                uniteFaces(operand);
-		                }
-	                });
-	for (const auto& link : arrangement_.refinement.links) {
+	    parallelFor(2, 1, halves, monitor_, [this](std::size_t begin, std::size_t end) {
+		    for (std::size_t operand = begin; operand < end; ++operand) {
+			    uniteFaces(operand);
+		    }
+	    });
+	for (const auto& link : refinement_.links) {
+		if (link[1].value < label.size()) {
+			label[link[1].value] = Label::Unknown;
+		}
 		nodes_.unite(link[0].value, link[1].value);
 	}
+	for (const auto& link : refinement_.cornerLinks) {
+		label[link[1].value] = Label::OnVertex;
+	}
 	nodes_.flatten();
+	label_.assign(nodes_.size(), Label::Unknown);
 	return status;
-}
-
-// Every class with a vertex gets its winding number from a ray. The root, the smallest node, is
-// then a vertex.
-Status Labeller::castClassRays() {
-	winding_.assign(nodes_.size(), kUnknownWinding);
-	for (std::size_t operand = 0; operand < 2; ++operand) {
-		std::vector<RayQuery> queries;
-		for (std::uint32_t v = mesh_.vertexBegin[operand]; v < mesh_.vertexBegin[operand + 1]; ++v) {
-			if (isUsedVertex(v) && nodes_.root(v) == v) {
-				queries.push_back({VertexId{v}});
-			}
-		}
-		const Status status = castRays(arrangement_, 1 - operand, {}, monitor_, queries);
-		if (!status.ok()) {
-			return status;
-		}
-		for (const RayQuery& query : queries) {
-			winding_[query.from.value] = query.winding;
-		}
-	}
-	return {};
-}
-
-// Classes without a vertex are regions inside one face, or several along one edge: they learn their
-// winding number across the segments around them, each class once it has its own.
-void Labeller::propagate() {
-	std::vector<ClassStep> steps;  // from every class over every segment to one without a ray
-	for (const SegmentSides& sides : arrangement_.refinement.sides) {
-		for (std::size_t operand = 0; operand < 2; ++operand) {
-			const SidePair pair = sidesOn(sides, operand);
-			const std::uint32_t inside = nodes_.root(pair.inside.value);
-			const std::uint32_t outside = nodes_.root(pair.outside.value);
-			if (winding_[inside] == kUnknownWinding) {
-				steps.push_back({outside, inside, 1});
-			}
-			if (winding_[outside] == kUnknownWinding) {
-				steps.push_back({inside, outside, -1});
-			}
-		}
-	}
-	const auto byFrom = [](const ClassStep& a, const ClassStep& b) { return a.from < b.from; };
-	std::sort(steps.begin(), steps.end(), byFrom);
-	std::vector<std::uint32_t> known;
-	for (const ClassStep& step : steps) {
-		if (winding_[step.from] != kUnknownWinding &&
-		    (known.empty() || known.back() != step.from)) {
-			known.push_back(step.from);
-		}
-	}
-	while (!known.empty()) {
-		const ClassStep key{known.back(), 0, 0};
-		known.pop_back();
-		const auto range = std::equal_range(steps.begin(), steps.end(), key, byFrom);
-		for (auto step = range.first; step != range.second; ++step) {
-			if (winding_[step->to] == kUnknownWinding) {
-				winding_[step->to] = winding_[step->from] + step->difference;
-				known.push_back(step->to);
-			}
-		}
-	}
 }
 
 // Collects the offending faces of one operand, given by global ids, into a status.
@@ -179,77 +127,91 @@ void finish(const Arrangement& arrangement, Status& status, std::vector<FaceId>&
 	}
 }
 
-// Loop orientation and winding numbers must agree at every segment.
-Status Labeller::checkSegments() {
-	for (std::size_t operand = 0; operand < 2; ++operand) {
-		std::vector<FaceId> faces;
-		for (std::size_t s = 0; s < arrangement_.refinement.sides.size(); ++s) {
-			const SidePair pair = sidesOn(arrangement_.refinement.sides[s], operand);
-			const int inside = winding_[nodes_.root(pair.inside.value)];
-			const int outside = winding_[nodes_.root(pair.outside.value)];
-			if (inside != outside + 1 || outside != 0) {
-				const Segment& segment = arrangement_.curve.segments[s];
-				faces.push_back(operand == 0 ? segment.b : segment.a);
+// Components are classes joined across segments and at common corners.
+void Labeller::findComponents() {
+	components_ = nodes_;
+	for (const CutFace& cut : refinement_.cutFaces) {
+		if (mesh_.operandOf(cut.face) == 1) {
+			firstRegionOfSecond_ = refinement_.pieceRegion[cut.firstPiece];
+			break;
+		}
+	}
+	// All faces of one operand at one segment, and at one corner, are joined to the first of them.
+	std::vector<std::array<std::uint32_t, 3>> meetings;  // operand, segment or vertex, region
+	for (const SegmentSide& side : refinement_.sides) {
+		const auto operand = static_cast<std::uint32_t>(mesh_.operandOf(side.face));
+		for (const NodeId region : {side.left, side.right}) {
+			if (region != NodeId::none()) {
+				meetings.push_back({operand, side.segment.value, region.value});
 			}
 		}
-		if (!faces.empty()) {
-			Status status;
-			status.code = StatusCode::SelfIntersecting;
-			status.operand = static_cast<int>(1 - operand);
-			finish(arrangement_, status, faces);
-			return status;
-		}
 	}
-	return {};
-}
-
-// Classes that no segment touches must lie outside the other operand, or inside it once.
-Status Labeller::checkWindings() {
-	for (std::uint32_t v = 0; v < mesh_.points.size(); ++v) {
-		if (!isUsedVertex(v) || nodes_.root(v) != v || winding_[v] == 0 || winding_[v] == 1) {
-			continue;
-		}
-		Status status;
-		status.code = StatusCode::SelfIntersecting;
-		const auto other = static_cast<std::size_t>(1 - mesh_.operandOf(VertexId{v}));
-		status.operand = static_cast<int>(other);
-		std::vector<FaceId> faces;
-		for (std::uint32_t f = mesh_.faceBegin[other]; f < mesh_.faceBegin[other + 1]; ++f) {
-			faces.push_back({f});
-		}
-		finish(arrangement_, status, faces);
-		status.place = mesh_.points[v];
-		return status;
+	const auto segmentCount = static_cast<std::uint32_t>(arrangement_.curve.segments.size());
+	for (const auto& link : refinement_.cornerLinks) {
+		meetings.push_back({static_cast<std::uint32_t>(operandOfRegion(link[0])),
+		                    segmentCount + link[1].value, link[0].value});
 	}
-	return {};
-}
-
-// Components are classes joined across the segments that part them.
-void Labeller::findComponents() {
-	components_ = UnionFind(nodes_.size());
-	for (const SegmentSides& sides : arrangement_.refinement.sides) {
-		for (std::size_t operand = 0; operand < 2; ++operand) {
-			const SidePair pair = sidesOn(sides, operand);
-			components_.unite(nodes_.root(pair.inside.value), nodes_.root(pair.outside.value));
+	std::sort(meetings.begin(), meetings.end());
+	for (std::size_t i = 1; i < meetings.size(); ++i) {
+		if (meetings[i][0] == meetings[i - 1][0] && meetings[i][1] == meetings[i - 1][1]) {
+			components_.unite(meetings[i][2], meetings[i - 1][2]);
 		}
 	}
 	components_.flatten();
-	for (std::uint32_t v = 0; v < mesh_.points.size(); ++v) {
-		if (isUsedVertex(v) && nodes_.root(v) == v && components_.root(v) == v) {
-			const int operand = mesh_.operandOf(VertexId{v});
-			++arrangement_.labels.components[static_cast<std::size_t>(operand)];
+}
+
+// Numbers the components of one operand in the order of their first faces.
+struct ComponentList {
+	std::vector<std::uint32_t> ofFace;          // per face of the operand
+	std::vector<std::vector<FaceId>> samples;   // per component: a few of its faces
+};
+
+template <class ComponentOf>
+ComponentList listComponents(const MeshArrays& mesh, std::size_t operand,
+                             std::size_t nodeCount, ComponentOf&& componentOf) {
+	constexpr std::size_t kSamples = 4;
+	ComponentList list;
+	std::vector<std::uint32_t> number(nodeCount, 0xffffffffu);
+	for (std::uint32_t f = mesh.faceBegin[operand]; f < mesh.faceBegin[operand + 1]; ++f) {
+		std::uint32_t& component = number[componentOf(FaceId{f})];
+		if (component == 0xffffffffu) {
+			component = static_cast<std::uint32_t>(list.samples.size());
+			list.samples.emplace_back();
+		}
+		list.ofFace.push_back(component);
+		if (list.samples[component].size() < kSamples) {
+			list.samples[component].push_back({f});
 		}
 	}
+	return list;
+}
+
+// A component's root, its smallest node, is a vertex off the other operand if it has one at all.
+std::uint32_t Labeller::countComponents(std::size_t operand) const {
+	std::uint32_t count = 0;
+	for (std::uint32_t v = mesh_.vertexBegin[operand]; v < mesh_.vertexBegin[operand + 1]; ++v) {
+		count += isFreeVertex(v) && components_.root(v) == v ? 1 : 0;
+	}
+	std::vector<std::uint32_t> others;
+	for (const CutFace& cut : refinement_.cutFaces) {
+		const std::uint32_t root =
+		    components_.root(refinement_.pieceRegion[cut.firstPiece].value);
+		if (mesh_.operandOf(cut.face) == static_cast<int>(operand) &&
+		    root >= mesh_.points.size()) {
+			others.push_back(root);
+		}
+	}
+	std::sort(others.begin(), others.end());
+	const auto end = std::unique(others.begin(), others.end());
+	return count + static_cast<std::uint32_t>(end - others.begin());
 }
 
 Status Labeller::checkComponents() {
 	findComponents();
 	for (std::size_t operand = 0; operand < 2; ++operand) {
-		if (arrangement_.labels.components[operand] > 1) {
-			const Status status = checkNesting(operand);
-			if (!status.ok()) {
-				return status;
-			}
+		const Status status = checkNesting(operand);
+		if (!status.ok()) {
+			return status;
 		}
 	}
 	return {};
@@ -287,71 +249,253 @@ std::vector<int> volumeSigns(const MeshArrays& mesh, std::size_t operand,
 	return signs;
 }
 
+// Shoots a ray from each query; those that start on a surface are tried again from other places.
+template <class Retry>
+Status castUntilDecided(const Arrangement& arrangement, std::size_t operand,
+                        const std::function<bool(std::size_t, FaceId)>& ignored, Monitor& monitor,
+                        std::vector<RayQuery>& queries, Retry&& retry) {
+	constexpr std::size_t kRounds = 4;
+	std::vector<std::size_t> undecided(queries.size());
+	std::iota(undecided.begin(), undecided.end(), std::size_t{0});
+	for (std::size_t round = 0; round < kRounds && !undecided.empty(); ++round) {
+		std::vector<RayQuery> batch;
+		for (const std::size_t q : undecided) {
+			batch.push_back(round == 0 ? queries[q] : retry(q, round));
+		}
+		const auto ignoredInBatch = [&](std::size_t query, FaceId face) {
+			return ignored && ignored(undecided[query], face);
+		};
+		const Status status = castRays(arrangement, operand, ignoredInBatch, monitor, batch);
+		if (!status.ok()) {
+			return status;
+		}
+		std::vector<std::size_t> left;
+		for (std::size_t i = 0; i < batch.size(); ++i) {
+			queries[undecided[i]].winding = batch[i].winding;
+			queries[undecided[i]].onSurface = batch[i].onSurface;
+			if (batch[i].onSurface) {
+				left.push_back(undecided[i]);
+			}
+		}
+		undecided = std::move(left);
+	}
+	return {};
+}
+
+RayQuery queryInside(FaceId face, std::size_t round) {
+	RayQuery query;
+	query.inside = face;
+	const auto k = static_cast<double>(round + 1);
+	query.weights = {1, k, k * k + 1};
+	return query;
+}
+
 // A solid component must lie outside the operand's other components, a cavity inside them, once.
 Status Labeller::checkNesting(std::size_t operand) {
 	const std::uint32_t first = mesh_.faceBegin[operand];
-	const std::uint32_t last = mesh_.faceBegin[operand + 1];
-	// Components by number, in the order of their roots.
-	std::vector<std::uint32_t> number(mesh_.points.size());
-	std::vector<RayQuery> queries;
-	for (std::uint32_t v = mesh_.vertexBegin[operand]; v < mesh_.vertexBegin[operand + 1]; ++v) {
-		if (isUsedVertex(v) && nodes_.root(v) == v && components_.root(v) == v) {
-			number[v] = static_cast<std::uint32_t>(queries.size());
-			queries.push_back({VertexId{v}});
-		}
+	arrangement_.labels.components[operand] = countComponents(operand);
+	if (arrangement_.labels.components[operand] < 2) {
+		return {};
 	}
-	std::vector<std::uint32_t> componentOfFace;
-	for (std::uint32_t f = first; f < last; ++f) {
-		componentOfFace.push_back(number[componentOf({f})]);
+	const ComponentList list = listComponents(mesh_, operand, nodes_.size(),
+	                                          [this](FaceId f) { return componentOf(f); });
+	std::vector<RayQuery> queries(list.samples.size());
+	for (std::size_t c = 0; c < queries.size(); ++c) {
+		queries[c].from = at(mesh_.triangles, list.samples[c][0])[0];
 	}
-	const std::vector<int> signs =
-	    volumeSigns(mesh_, operand, componentOfFace, queries.size());
+	const std::vector<int> signs = volumeSigns(mesh_, operand, list.ofFace, queries.size());
 	const auto isOwn = [&](std::size_t query, FaceId face) {
-		return componentOfFace[face.value - first] == query;
+		return list.ofFace[face.value - first] == query;
 	};
-	Status status = castRays(arrangement_, operand, isOwn, monitor_, queries);
+	const auto retry = [&list](std::size_t query, std::size_t round) {
+		const std::vector<FaceId>& samples = list.samples[query];
+		return queryInside(samples[round % samples.size()], round);
+	};
+	Status status = castUntilDecided(arrangement_, operand, isOwn, monitor_, queries, retry);
 	if (!status.ok()) {
 		return status;
 	}
 	std::vector<std::uint8_t> wrong(queries.size());
+	std::size_t wrongCount = 0;
 	for (std::size_t c = 0; c < queries.size(); ++c) {
 		const int expected = signs[c] > 0 ? 0 : 1;
 		wrong[c] = signs[c] == 0 || queries[c].onSurface || queries[c].winding != expected;
-		status.count += wrong[c];
+		wrongCount += wrong[c];
 	}
-	if (status.count == 0) {
+	if (wrongCount == 0) {
 		return {};
 	}
-	const std::size_t components = status.count;
 	std::vector<FaceId> faces;
-	for (std::uint32_t f = first; f < last; ++f) {
-		if (wrong[componentOfFace[f - first]] != 0) {
-			faces.push_back({f});
+	for (std::size_t i = 0; i < list.ofFace.size(); ++i) {
+		if (wrong[list.ofFace[i]] != 0) {
+			faces.push_back({first + static_cast<std::uint32_t>(i)});
 		}
 	}
 	status.code = StatusCode::NestedComponents;
 	status.operand = static_cast<int>(operand);
 	finish(arrangement_, status, faces);
-	status.count = components;
+	status.count = wrongCount;
 	return status;
+}
+
+// Gives a class its label. A class that has another one already shows that the other operand's
+// inside is not told from its outside: `face` is one of its faces there, or none().
+Status Labeller::setLabel(NodeId node, Label label, FaceId face) {
+	Label& known = label_[nodes_.root(node.value)];
+	if (known == Label::Unknown || known == label) {
+		known = label;
+		return {};
+	}
+	Status status;
+	status.code = StatusCode::SelfIntersecting;
+	std::vector<FaceId> faces;
+	if (face != FaceId::none()) {
+		status.operand = mesh_.operandOf(face);
+		faces.push_back(face);
+	}
+	finish(arrangement_, status, faces);
+	return status;
+}
+
+// Labels what lies beside one segment, whose sides are sides[first .. last).
+Status Labeller::labelBesides(std::size_t first, std::size_t last) {
+	const Segment& segment = at(arrangement_.curve.segments, refinement_.sides[first].segment);
+	std::vector<HalfPlane> halfPlanes;
+	for (std::size_t i = first; i < last; ++i) {
+		const SegmentSide& side = refinement_.sides[i];
+		const bool onFirst = mesh_.operandOf(side.face) == 0;
+		if (side.left != NodeId::none()) {
+			halfPlanes.push_back(
+			    {side.face, true, side.left, onFirst ? Label::Inside : Label::Outside});
+		}
+		if (side.right != NodeId::none()) {
+			halfPlanes.push_back(
+			    {side.face, false, side.right, onFirst ? Label::Outside : Label::Inside});
+		}
+	}
+	const int wrong = segment.crossing ? -1 : labelAround(arrangement_, segment, halfPlanes);
+	Status status;
+	if (wrong >= 0) {
+		status.code = StatusCode::SelfIntersecting;
+		status.operand = wrong;
+		std::vector<FaceId> faces;
+		for (const HalfPlane& half : halfPlanes) {
+			if (mesh_.operandOf(half.face) == wrong) {
+				faces.push_back(half.face);
+			}
+		}
+		finish(arrangement_, status, faces);
+	}
+	for (std::size_t i = 0; i < halfPlanes.size() && status.ok(); ++i) {
+		const bool onFirst = mesh_.operandOf(halfPlanes[i].face) == 0;
+		status = setLabel(halfPlanes[i].region, halfPlanes[i].label,
+		                  onFirst ? segment.b : segment.a);
+	}
+	return status;
+}
+
+Status Labeller::labelBySegments() {
+	const std::vector<SegmentSide>& sides = refinement_.sides;
+	for (std::size_t first = 0; first < sides.size();) {
+		std::size_t last = first + 1;
+		while (last < sides.size() && sides[last].segment == sides[first].segment) {
+			++last;
+		}
+		const Status status = labelBesides(first, last);
+		if (!status.ok()) {
+			return status;
+		}
+		first = last;
+	}
+	return {};
+}
+
+// Labels the queries' classes by their winding numbers in the other operand.
+Status Labeller::labelClasses(std::size_t operand, std::vector<RayQuery>& queries) {
+	const auto retry = [&queries](std::size_t query, std::size_t round) {
+		return queryInside(queries[query].inside, round);
+	};
+	Status status = castUntilDecided(arrangement_, 1 - operand, {}, monitor_, queries, retry);
+	for (std::size_t i = 0; i < queries.size() && status.ok(); ++i) {
+		const RayQuery& query = queries[i];
+		const bool fromVertex = query.from != VertexId::none();
+		const NodeId node{fromVertex ? query.from.value : nodeOf(query.inside)};
+		if (query.onSurface || query.winding < 0 || query.winding > 1) {
+			status.code = StatusCode::SelfIntersecting;
+		} else {
+			status = setLabel(node, query.winding == 1 ? Label::Inside : Label::Outside,
+			                  FaceId::none());
+		}
+		if (status.code == StatusCode::SelfIntersecting) {
+			// Which of the other operand's faces are to blame is not known: all are shown.
+			status.operand = static_cast<int>(1 - operand);
+			std::vector<FaceId> faces;
+			for (std::uint32_t f = mesh_.faceBegin[1 - operand];
+			     f < mesh_.faceBegin[2 - operand]; ++f) {
+				faces.push_back({f});
+			}
+			finish(arrangement_, status, faces);
+			status.place = fromVertex ? at(mesh_.points, query.from)
+			                          : at(mesh_.points, at(mesh_.triangles, query.inside)[0]);
+		}
+	}
+	return status;
+}
+
+// A ray for every class that has a vertex off the other operand: its root, the smallest node, is then
+// one. And for every class without a label, which has a whole face since no segment bounds it.
+Status Labeller::labelByRays() {
+	for (std::size_t operand = 0; operand < 2; ++operand) {
+		std::vector<RayQuery> queries;
+		for (std::uint32_t v = mesh_.vertexBegin[operand]; v < mesh_.vertexBegin[operand + 1]; ++v) {
+			if (isFreeVertex(v) && nodes_.root(v) == v) {
+				queries.emplace_back();
+				queries.back().from = {v};
+			}
+		}
+		std::vector<std::uint32_t> asked;
+		for (const CutFace& cut : refinement_.cutFaces) {
+			const std::uint32_t root =
+			    nodes_.root(refinement_.pieceRegion[cut.firstPiece].value);
+			const bool isOwn = mesh_.operandOf(cut.face) == static_cast<int>(operand);
+			if (isOwn && root >= mesh_.points.size() && label_[root] == Label::Unknown) {
+				label_[root] = Label::Unused;  // asked for: once is enough
+				asked.push_back(root);
+				queries.emplace_back();
+				queries.back().inside = cut.face;
+			}
+		}
+		for (const std::uint32_t root : asked) {
+			label_[root] = Label::Unknown;
+		}
+		const Status status = labelClasses(operand, queries);
+		if (!status.ok()) {
+			return status;
+		}
+	}
+	return {};
 }
 
 Status Labeller::fill() {
 	Labels& labels = arrangement_.labels;
-	const auto insideOf = [this](std::uint32_t node) {
-		return static_cast<std::uint8_t>(winding_[nodes_.root(node)]);
-	};
-	const std::vector<NodeId>& regions = arrangement_.refinement.pieceRegion;
-	labels.pieceInside.resize(regions.size());
+	const std::vector<NodeId>& regions = refinement_.pieceRegion;
+	Status status;
+	labels.piece.resize(regions.size());
 	for (std::size_t piece = 0; piece < regions.size(); ++piece) {
-		labels.pieceInside[piece] = insideOf(regions[piece].value);
+		labels.piece[piece] = label_[nodes_.root(regions[piece].value)];
+		if (labels.piece[piece] == Label::Unknown) {
+			status.code = StatusCode::InternalError;
+		}
+	}
+	if (!status.ok()) {
+		return status;
 	}
 	return parallelFor(mesh_.points.size(), kGrain, arrangement_.options.threads, monitor_,
 	                   [&](std::size_t begin, std::size_t end) {
 		                   for (std::size_t v = begin; v < end; ++v) {
-			                   if (labels.vertexInside[v] != kUnused) {
-				                   labels.vertexInside[v] =
-				                       insideOf(static_cast<std::uint32_t>(v));
+			                   if (labels.vertex[v] == Label::Unknown) {
+				                   labels.vertex[v] =
+				                       label_[nodes_.root(static_cast<std::uint32_t>(v))];
 			                   }
 		                   }
 	                   });
@@ -360,17 +504,13 @@ Status Labeller::fill() {
 Status Labeller::run() {
 	Status status = uniteNodes();
 	if (status.ok()) {
-		status = castClassRays();
-	}
-	if (status.ok()) {
-		propagate();
 		status = checkComponents();
 	}
 	if (status.ok()) {
-		status = checkSegments();
+		status = labelBySegments();
 	}
 	if (status.ok()) {
-		status = checkWindings();
+		status = labelByRays();
 	}
 	return status.ok() ? fill() : status;
 }

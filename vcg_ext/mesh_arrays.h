@@ -13,7 +13,8 @@
 namespace index_boolean {
 
 // Operand k has the vertices [vertexBegin[k], vertexBegin[k + 1]) and the faces
-// [faceBegin[k], faceBegin[k + 1]). Triangles hold global vertex ids.
+// [faceBegin[k], faceBegin[k + 1]). Triangles hold global vertex ids. Once welded, faces of the second
+// operand may use vertices of the first, where both have one in the same place.
 struct MeshArrays {
 	std::vector<Point> points;
 	std::vector<Triangle> triangles;
@@ -21,7 +22,6 @@ struct MeshArrays {
 	std::array<std::uint32_t, 3> faceBegin{};
 
 	int operandOf(FaceId face) const { return face.value < faceBegin[1] ? 0 : 1; }
-	int operandOf(VertexId vertex) const { return vertex.value < vertexBegin[1] ? 0 : 1; }
 };
 
 }  // namespace index_boolean

@@ -124,44 +124,78 @@ std::uint64_t coordinateHash(const Point& p) {
 	return hash;
 }
 
-// For each vertex of one operand, the first with equal coordinates. Returns whether any differ.
-// Open addressing with linear probing, at most half full: one or two cache lines per vertex.
-bool findEqualVertices(const MeshArrays& mesh, std::size_t operand,
-                       std::vector<VertexId>& canonical) {
-	const std::uint32_t begin = mesh.vertexBegin[operand];
-	const std::uint32_t end = mesh.vertexBegin[operand + 1];
-	std::size_t size = 16;
-	while (size < 2 * static_cast<std::size_t>(end - begin)) {
-		size *= 2;
-	}
-	constexpr std::uint32_t kEmpty = 0xffffffffu;
-	std::vector<std::uint32_t> table(size, kEmpty);
-	bool any = false;
-	for (std::uint32_t v = begin; v < end; ++v) {
-		const Point& p = mesh.points[v];
-		std::size_t slot = coordinateHash(p) & (size - 1);
-		while (table[slot] != kEmpty && mesh.points[table[slot]] != p) {
-			slot = (slot + 1) & (size - 1);
-		}
-		if (table[slot] == kEmpty) {
-			table[slot] = v;
-		}
-		canonical[v] = {table[slot]};
-		any = any || table[slot] != v;
-	}
-	return any;
-}
+constexpr std::uint32_t kEmpty = 0xffffffffu;
 
-// Replaces each corner by the first vertex with the same coordinates.
+// The vertices of one operand by their coordinates: open addressing with linear probing, at most
+// half full, so that a look-up costs one or two cache lines.
+class VertexTable {
+public:
+	VertexTable() = default;
+
+	// Fills the table with the first vertex at each place, and canonical with it for each vertex.
+	// Returns whether two vertices are in one place.
+	bool fill(const MeshArrays& mesh, std::size_t operand, std::vector<VertexId>& canonical) {
+		points_ = mesh.points.data();
+		const std::uint32_t begin = mesh.vertexBegin[operand];
+		const std::uint32_t end = mesh.vertexBegin[operand + 1];
+		std::size_t size = 16;
+		while (size < 2 * static_cast<std::size_t>(end - begin)) {
+			size *= 2;
+		}
+		slots_.assign(size, kEmpty);
+		bool any = false;
+		for (std::uint32_t v = begin; v < end; ++v) {
+			std::uint32_t& slot = slots_[find(points_[v])];
+			slot = slot == kEmpty ? v : slot;
+			canonical[v] = {slot};
+			any = any || slot != v;
+		}
+		return any;
+	}
+
+	// The vertex at a place, or kEmpty.
+	std::uint32_t vertexAt(const Point& p) const { return slots_[find(p)]; }
+
+private:
+	std::size_t find(const Point& p) const {
+		std::size_t slot = coordinateHash(p) & (slots_.size() - 1);
+		while (slots_[slot] != kEmpty && points_[slots_[slot]] != p) {
+			slot = (slot + 1) & (slots_.size() - 1);
+		}
+		return slot;
+	}
+
+	const Point* points_ = nullptr;
+	std::vector<std::uint32_t> slots_;
+};
+
+// Replaces each corner by the first vertex with the same coordinates, of the first operand if it has
+// one: where vertices of both coincide, they are one vertex from here on.
 Status weldCorners(MeshArrays& mesh, int threads, Monitor& monitor) {
 	std::vector<VertexId> canonical(mesh.points.size());
+	std::array<VertexTable, 2> tables;
 	std::array<bool, 2> any{};
-	Status status = parallelFor(2, 1, threads, monitor, [&](std::size_t begin, std::size_t end) {
+	const int halves = threadsForHalves(mesh.points.size(), threads);
+	Status status = parallelFor(2, 1, halves, monitor, [&](std::size_t begin, std::size_t end) {
 		for (std::size_t operand = begin; operand < end; ++operand) {
-			any[operand] = findEqualVertices(mesh, operand, canonical);
+			any[operand] = tables[operand].fill(mesh, operand, canonical);
 		}
 	});
-	if (!status.ok() || !(any[0] || any[1])) {
+	std::atomic<bool> anyShared{false};
+	const std::size_t second = mesh.vertexBegin[1];
+	if (status.ok()) {
+		status = parallelFor(mesh.points.size() - second, kGrain, threads, monitor,
+		                     [&](std::size_t begin, std::size_t end) {
+			                     for (std::size_t v = second + begin; v < second + end; ++v) {
+				                     const std::uint32_t twin = tables[0].vertexAt(mesh.points[v]);
+				                     if (twin != kEmpty) {
+					                     canonical[v] = {twin};
+					                     anyShared = true;
+				                     }
+			                     }
+		                     });
+	}
+	if (!status.ok() || !(any[0] || any[1] || anyShared)) {
 		return status;
 	}
 	return parallelFor(mesh.triangles.size(), kGrain, threads, monitor,

@@ -35,6 +35,12 @@ constexpr std::size_t chunkCount(std::size_t n, std::size_t grain) {
 	return n / grain + (n % grain == 0 ? 0 : 1);
 }
 
+// Threads for two tasks of about half of `work` items each: one where waking another costs more than
+// it saves.
+constexpr int threadsForHalves(std::size_t work, int threads) {
+	return work < (std::size_t{1} << 15) ? 1 : threads;
+}
+
 // Calls run(context, chunk) once for each chunk in [0, chunks); see parallelForChunks.
 Status runChunks(std::size_t chunks, int threads, Monitor& monitor, void* context,
                  void (*run)(void* context, std::size_t chunk));

@@ -17,18 +17,22 @@ namespace index_boolean {
 
 namespace {
 
-// A segment as one face sees it.
-struct FaceSegment {
+// What one face has to respect.
+struct FaceLines {
 	FaceId face;
-	std::uint32_t segment;
+	const FaceSegment* segments;
+	const FaceSegment* segmentsEnd;
+	const FaceDiagonal* diagonals;
+	const FaceDiagonal* diagonalsEnd;
 };
 
-// The regions to both sides of a segment on one face; regions are numbered within a chunk.
+// The regions to both sides of a segment on one face, numbered within a chunk; or kNone.
 struct FaceSides {
-	std::uint32_t segment;
-	int operand;
+	SegmentId segment;
+	FaceId face;
 	std::uint32_t left, right;
 };
+constexpr std::uint32_t kNone = 0xffffffffu;
 
 struct RegionLink {
 	std::uint32_t region;
@@ -42,6 +46,7 @@ struct ChunkPieces {
 	std::vector<std::uint32_t> pieceRegion;
 	std::vector<FaceSides> sides;
 	std::vector<RegionLink> links;
+	std::vector<RegionLink> cornerLinks;
 	std::uint32_t regionCount = 0;
 	FaceId failed = FaceId::none();
 };
@@ -52,15 +57,15 @@ struct LocalVertex {
 	std::uint8_t onEdges;
 };
 
-// An edge of the planar problem that a triangulation must contain: a segment of the curve or an
-// interval of the face's border.
+// An edge of the planar problem that parts regions or bounds the face: a segment of the curve, an
+// interval of the face's border, or both.
 struct FixedEdge {
 	PlanarEdge ranks;
-	std::uint32_t segment;  // or kBorder
-	bool rising;            // the segment runs from the lower to the higher rank
-	NodeId interval;        // of a border edge between two curve points; else none
+	bool isBorder;
+	SegmentId segment;  // or none()
+	bool rising;        // the segment runs from the lower to the higher rank
+	NodeId interval;    // of a border edge both of whose ends lie on the other operand; else none()
 };
-constexpr std::uint32_t kBorder = 0xffffffffu;
 
 struct HalfEdge {
 	PlanarEdge ranks;
@@ -99,16 +104,18 @@ public:
 	FaceCutter(const Arrangement& arrangement, ChunkPieces& out)
 	    : arrangement_(arrangement), out_(out) {}
 
-	// `segments` are those of the face. False if they cannot be part of one triangulation.
-	bool cut(FaceId face, const FaceSegment* begin, const FaceSegment* end);
+	// False if the lines cannot all be part of one triangulation.
+	bool cut(const FaceLines& lines);
 
 private:
 	void collectBorder();
-	void collectSegments(const FaceSegment* begin, const FaceSegment* end);
+	void collectInner(const FaceLines& lines);
 	bool sortVertices();
 	std::uint32_t rankOf(VertexId id) const;
-	void fixEdges(const FaceSegment* begin, const FaceSegment* end);
+	void fixEdges(const FaceLines& lines);
+	void fixSegments(const FaceLines& lines);
 	void fixBorder();
+	FixedEdge* fixedSegment(PlanarEdge ranks);
 	void collectHalfEdges();
 	bool unitePieces();
 	void numberRegions();
@@ -160,9 +167,9 @@ void FaceCutter::collectBorder() {
 		side_[k].assign(1, from);
 		cutEdge_[k] = findCutEdge(curve, from, to);
 		if (cutEdge_[k] != nullptr) {
-			const PointId* points = curve.pointsOnEdges.data() + cutEdge_[k]->first;
+			const VertexId* points = curve.pointsOnEdges.data() + cutEdge_[k]->first;
 			for (std::uint32_t p = 0; p < cutEdge_[k]->count; ++p) {
-				side_[k].push_back(arrangement_.vertexOf(points[p]));
+				side_[k].push_back(points[p]);
 				vertices_.push_back({side_[k].back(), onEdge});
 			}
 			if (to < from) {
@@ -173,11 +180,11 @@ void FaceCutter::collectBorder() {
 	}
 }
 
-void FaceCutter::collectSegments(const FaceSegment* begin, const FaceSegment* end) {
-	for (const FaceSegment* s = begin; s != end; ++s) {
-		const Segment& segment = arrangement_.curve.segments[s->segment];
-		vertices_.push_back({arrangement_.vertexOf(segment.begin), 0});
-		vertices_.push_back({arrangement_.vertexOf(segment.end), 0});
+void FaceCutter::collectInner(const FaceLines& lines) {
+	const auto add = [this](VertexId v) { vertices_.push_back({v, 0}); };
+	for (const FaceSegment* s = lines.segments; s != lines.segmentsEnd; ++s) {
+		add(at(arrangement_.curve.segments, s->segment).begin);
+		add(at(arrangement_.curve.segments, s->segment).end);
 	}
 	// Of equal ids the entry from the border comes first and stays.
 	std::stable_sort(vertices_.begin(), vertices_.end(),
@@ -228,39 +235,60 @@ PlanarEdge planarEdge(std::uint32_t a, std::uint32_t b) {
 	return {std::min(a, b), std::max(a, b)};
 }
 
+void FaceCutter::fixSegments(const FaceLines& lines) {
+	for (const FaceSegment* s = lines.segments; s != lines.segmentsEnd; ++s) {
+		const Segment& segment = at(arrangement_.curve.segments, s->segment);
+		const std::uint32_t from = rankOf(segment.begin);
+		const std::uint32_t to = rankOf(segment.end);
+		fixed_.push_back({planarEdge(from, to), false, s->segment, from < to, NodeId::none()});
+	}
+}
+
+// The segment between two vertices, among those fixed so far and still sorted; or null.
+FixedEdge* FaceCutter::fixedSegment(PlanarEdge ranks) {
+	const auto it = std::lower_bound(fixed_.begin(), fixed_.end(), ranks,
+	                                 [](const FixedEdge& e, PlanarEdge r) { return e.ranks < r; });
+	return it != fixed_.end() && it->ranks == ranks ? &*it : nullptr;
+}
+
 void FaceCutter::fixBorder() {
 	const auto vertexCount = static_cast<std::uint32_t>(arrangement_.mesh.points.size());
+	std::vector<FixedEdge> border;
 	for (int i = 0; i < 3; ++i) {
 		const std::vector<VertexId>& side = side_[static_cast<std::size_t>(i)];
 		const CutEdge* cutEdge = cutEdge_[static_cast<std::size_t>(i)];
 		const bool reversed = side.back() < side.front();
 		for (std::size_t j = 0; j + 1 < side.size(); ++j) {
-			NodeId interval = NodeId::none();
-			if (j > 0 && j + 2 < side.size()) {
-				// Between two points: named by the one nearer to the edge's low end.
-				const std::size_t fromLow = reversed ? cutEdge->count - 1 - j : j - 1;
-				interval = {vertexCount + cutEdge->first + static_cast<std::uint32_t>(fromLow)};
+			const PlanarEdge ranks = planarEdge(rankOf(side[j]), rankOf(side[j + 1]));
+			if (FixedEdge* segment = fixedSegment(ranks)) {
+				segment->isBorder = true;
+				continue;
 			}
-			fixed_.push_back(
-			    {planarEdge(rankOf(side[j]), rankOf(side[j + 1])), kBorder, false, interval});
+			NodeId interval = NodeId::none();
+			if (arrangement_.isOnOther(side[j]) && arrangement_.isOnOther(side[j + 1])) {
+				const std::size_t fromLow = reversed ? side.size() - 2 - j : j;
+				interval = {vertexCount + cutEdge->firstInterval +
+				            static_cast<std::uint32_t>(fromLow)};
+			}
+			border.push_back({ranks, true, SegmentId::none(), false, interval});
 		}
 	}
+	fixed_.insert(fixed_.end(), border.begin(), border.end());
 }
 
-void FaceCutter::fixEdges(const FaceSegment* begin, const FaceSegment* end) {
+void FaceCutter::fixEdges(const FaceLines& lines) {
+	const auto byRanks = [](const FixedEdge& a, const FixedEdge& b) { return a.ranks < b.ranks; };
 	fixed_.clear();
+	fixSegments(lines);
+	std::sort(fixed_.begin(), fixed_.end(), byRanks);
 	fixBorder();
-	for (const FaceSegment* s = begin; s != end; ++s) {
-		const Segment& segment = arrangement_.curve.segments[s->segment];
-		const std::uint32_t from = rankOf(arrangement_.vertexOf(segment.begin));
-		const std::uint32_t to = rankOf(arrangement_.vertexOf(segment.end));
-		fixed_.push_back({planarEdge(from, to), s->segment, from < to, NodeId::none()});
-	}
-	std::sort(fixed_.begin(), fixed_.end(),
-	          [](const FixedEdge& a, const FixedEdge& b) { return a.ranks < b.ranks; });
+	std::sort(fixed_.begin(), fixed_.end(), byRanks);
 	planarEdges_.clear();
 	for (const FixedEdge& e : fixed_) {
 		planarEdges_.push_back(e.ranks);
+	}
+	for (const FaceDiagonal* d = lines.diagonals; d != lines.diagonalsEnd; ++d) {
+		planarEdges_.push_back(planarEdge(rankOf(d->begin), rankOf(d->end)));
 	}
 }
 
@@ -297,7 +325,7 @@ bool FaceCutter::unitePieces() {
 	for (std::size_t h = 0; h < halfEdges_.size();) {
 		const HalfEdge* edge = &halfEdges_[h];
 		const bool isFixed = fixed != fixed_.end() && fixed->ranks == edge->ranks;
-		const std::size_t expected = isFixed && fixed->segment == kBorder ? 1 : 2;
+		const std::size_t expected = isFixed && fixed->isBorder ? 1 : 2;
 		std::size_t next = h + 1;
 		while (next < halfEdges_.size() && halfEdges_[next].ranks == edge->ranks) {
 			++next;
@@ -330,14 +358,13 @@ void FaceCutter::numberRegions() {
 
 // Records what lies to both sides of the segments and behind the border's intervals.
 void FaceCutter::recordSides() {
-	const int operand = arrangement_.mesh.operandOf(face_);
 	for (std::size_t f = 0; f < fixed_.size(); ++f) {
 		const HalfEdge* h = besideFixed_[f];
 		const std::uint32_t region = regionOf_[h->piece];
-		if (fixed_[f].segment != kBorder) {
-			const std::uint32_t other = regionOf_[h[1].piece];
+		if (fixed_[f].segment != SegmentId::none()) {
+			const std::uint32_t other = fixed_[f].isBorder ? kNone : regionOf_[h[1].piece];
 			const bool isLeft = h->rising == fixed_[f].rising;
-			out_.sides.push_back({fixed_[f].segment, operand, isLeft ? region : other,
+			out_.sides.push_back({fixed_[f].segment, face_, isLeft ? region : other,
 			                      isLeft ? other : region});
 		} else if (fixed_[f].interval != NodeId::none()) {
 			out_.links.push_back({region, fixed_[f].interval});
@@ -350,9 +377,11 @@ void FaceCutter::emit() {
 	for (std::size_t piece = 0; piece < triangles_.size(); ++piece) {
 		Triangle t{};
 		for (std::size_t i = 0; i < 3; ++i) {
-			t[i] = vertices_[triangles_[piece][i]].id;
-			if (!arrangement_.isCurvePoint(t[i])) {
-				out_.links.push_back({regionOf_[piece], {t[i].value}});
+			const VertexId v = vertices_[triangles_[piece][i]].id;
+			t[i] = v;
+			if (std::find(corners_->begin(), corners_->end(), v) != corners_->end()) {
+				auto& links = arrangement_.isOnOther(v) ? out_.cornerLinks : out_.links;
+				links.push_back({regionOf_[piece], {v.value}});
 			}
 		}
 		out_.pieces.push_back(t);
@@ -360,20 +389,20 @@ void FaceCutter::emit() {
 	}
 }
 
-bool FaceCutter::cut(FaceId face, const FaceSegment* begin, const FaceSegment* end) {
-	face_ = face;
-	corners_ = &at(arrangement_.mesh.triangles, face);
+bool FaceCutter::cut(const FaceLines& lines) {
+	face_ = lines.face;
+	corners_ = &at(arrangement_.mesh.triangles, face_);
 	axis_ = projectionAxis(*corners_, arrangement_.mesh.points, sign_);
 	if (axis_ < 0) {
 		return false;  // no area: nothing can cross it
 	}
 	collectBorder();
 	const std::size_t borderCount = vertices_.size();
-	collectSegments(begin, end);
+	collectInner(lines);
 	if (!sortVertices()) {
 		return false;
 	}
-	fixEdges(begin, end);
+	fixEdges(lines);
 	const FaceOrientation orientation(points_, vertices_, axis_);
 	const auto pointCount = static_cast<std::uint32_t>(vertices_.size());
 	if (!triangulatePlanar(pointCount, planarEdges_, orientation, triangles_)) {
@@ -398,65 +427,77 @@ bool FaceCutter::cut(FaceId face, const FaceSegment* begin, const FaceSegment* e
 	return true;
 }
 
-// The segments of every cut face, sorted by face; `first` is where each face's begin.
-void collectFaceSegments(const Curve& curve, std::vector<FaceSegment>& segments,
-                         std::vector<std::uint32_t>& first) {
-	segments.reserve(2 * curve.segments.size());
-	for (std::uint32_t s = 0; s < curve.segments.size(); ++s) {
-		segments.push_back({curve.segments[s].a, s});
-		segments.push_back({curve.segments[s].b, s});
-	}
-	std::sort(segments.begin(), segments.end(), [](const FaceSegment& a, const FaceSegment& b) {
-		return a.face != b.face ? a.face < b.face : a.segment < b.segment;
-	});
-	for (std::uint32_t i = 0; i < segments.size(); ++i) {
-		if (i == 0 || segments[i].face != segments[i - 1].face) {
-			first.push_back(i);
+// The lines of each of the touched faces, which are sorted as the lines are.
+FaceLines linesOf(const Curve& curve, FaceId face) {
+	const auto range = [face](const auto& lines) {
+		using Line = typename std::decay_t<decltype(lines)>::value_type;
+		const auto begin =
+		    std::lower_bound(lines.begin(), lines.end(), face,
+		                     [](const Line& line, FaceId f) { return line.face < f; });
+		auto end = begin;
+		while (end != lines.end() && end->face == face) {
+			++end;
 		}
-	}
-	first.push_back(static_cast<std::uint32_t>(segments.size()));
+		const Line* data = lines.data();
+		return std::make_pair(data + (begin - lines.begin()), data + (end - lines.begin()));
+	};
+	const auto segments = range(curve.faceSegments);
+	const auto diagonals = range(curve.faceDiagonals);
+	return {face, segments.first, segments.second, diagonals.first, diagonals.second};
 }
 
 // Puts the chunks one after another.
 void concatenate(const std::vector<ChunkPieces>& chunks, const Arrangement& arrangement,
                  Refinement& out) {
-	const auto firstRegion = static_cast<std::uint32_t>(arrangement.mesh.points.size() +
-	                                                    arrangement.curve.pointsOnEdges.size());
-	out.nodeCount = firstRegion;
-	out.sides.resize(arrangement.curve.segments.size());
+	out.nodeCount = static_cast<std::uint32_t>(arrangement.mesh.points.size() +
+	                                           arrangement.curve.intervalCount());
 	out.isCut.assign(arrangement.mesh.triangles.size(), 0);
 	for (const ChunkPieces& chunk : chunks) {
 		const auto pieceOffset = static_cast<std::uint32_t>(out.pieces.size());
 		const std::uint32_t nodeOffset = out.nodeCount;
+		const auto node = [nodeOffset](std::uint32_t region) {
+			return region == kNone ? NodeId::none() : NodeId{region + nodeOffset};
+		};
 		for (const CutFace& f : chunk.cutFaces) {
 			out.cutFaces.push_back({f.face, f.firstPiece + pieceOffset});
 			at(out.isCut, f.face) = 1;
 		}
 		out.pieces.insert(out.pieces.end(), chunk.pieces.begin(), chunk.pieces.end());
 		for (const std::uint32_t region : chunk.pieceRegion) {
-			out.pieceRegion.push_back({region + nodeOffset});
+			out.pieceRegion.push_back(node(region));
 		}
 		for (const FaceSides& s : chunk.sides) {
-			SegmentSides& sides = out.sides[s.segment];
-			sides.left[static_cast<std::size_t>(s.operand)] = {s.left + nodeOffset};
-			sides.right[static_cast<std::size_t>(s.operand)] = {s.right + nodeOffset};
+			out.sides.push_back({s.segment, s.face, node(s.left), node(s.right)});
 		}
 		for (const RegionLink& link : chunk.links) {
-			out.links.push_back({NodeId{link.region + nodeOffset}, link.other});
+			out.links.push_back({node(link.region), link.other});
+		}
+		for (const RegionLink& link : chunk.cornerLinks) {
+			out.cornerLinks.push_back({node(link.region), link.other});
 		}
 		out.nodeCount += chunk.regionCount;
 	}
+	std::sort(out.sides.begin(), out.sides.end(), [](const SegmentSide& a, const SegmentSide& b) {
+		return a.segment != b.segment ? a.segment < b.segment : a.face < b.face;
+	});
 }
 
+// The other operand's faces with segments on a face that could not be cut.
 Status refuseFace(const Arrangement& arrangement, FaceId face) {
+	const Curve& curve = arrangement.curve;
 	Status status;
 	status.code = StatusCode::SelfIntersecting;
 	status.operand = 1 - arrangement.mesh.operandOf(face);
 	status.hasPlace = true;
 	status.place = at(arrangement.mesh.points, at(arrangement.mesh.triangles, face)[0]);
-	for (const Segment& s : arrangement.curve.segments) {
-		if (s.a == face || s.b == face) {
-			status.faces.push_back(arrangement.givenFace(s.a == face ? s.b : s.a));
+	std::vector<std::uint8_t> onFace(curve.segments.size());
+	const FaceLines lines = linesOf(curve, face);
+	for (const FaceSegment* s = lines.segments; s != lines.segmentsEnd; ++s) {
+		at(onFace, s->segment) = 1;
+	}
+	for (const FaceSegment& s : curve.faceSegments) {
+		if (at(onFace, s.segment) != 0 && arrangement.mesh.operandOf(s.face) == status.operand) {
+			status.faces.push_back(arrangement.givenFace(s.face));
 		}
 	}
 	std::sort(status.faces.begin(), status.faces.end());
@@ -468,21 +509,16 @@ Status refuseFace(const Arrangement& arrangement, FaceId face) {
 }  // namespace
 
 Status retriangulate(Arrangement& arrangement, Monitor& monitor) {
-	constexpr std::size_t kGrain = 64;
-	std::vector<FaceSegment> segments;
-	std::vector<std::uint32_t> first;
-	collectFaceSegments(arrangement.curve, segments, first);
-	const std::size_t faceCount = first.size() - 1;
-	std::vector<ChunkPieces> chunks(chunkCount(faceCount, kGrain));
+	constexpr std::size_t kGrain = 256;
+	const std::vector<FaceId>& faces = arrangement.curve.touchedFaces;
+	std::vector<ChunkPieces> chunks(chunkCount(faces.size(), kGrain));
 	const Status status = parallelForChunks(
-	    faceCount, kGrain, arrangement.options.threads, monitor,
+	    faces.size(), kGrain, arrangement.options.threads, monitor,
 	    [&](std::size_t chunk, std::size_t begin, std::size_t end) {
 		    FaceCutter cutter(arrangement, chunks[chunk]);
 		    for (std::size_t i = begin; i < end && chunks[chunk].failed == FaceId::none(); ++i) {
-			    const FaceSegment* faceBegin = segments.data() + first[i];
-			    const FaceSegment* faceEnd = segments.data() + first[i + 1];
-			    if (!cutter.cut(faceBegin->face, faceBegin, faceEnd)) {
-				    chunks[chunk].failed = faceBegin->face;
+			    if (!cutter.cut(linesOf(arrangement.curve, faces[i]))) {
+				    chunks[chunk].failed = faces[i];
 			    }
 		    }
 	    });

@@ -25,15 +25,13 @@ enum class StatusCode : std::uint8_t {
 	NoVolume,            // closed, but encloses nothing: the signed volume is exactly zero
 	NestedComponents,    // components of one operand inside out, or inside each other's solid
 	SelfIntersecting,    // winding numbers contradict the curve: an operand overlaps itself
-	DegenerateContact,   // the operands touch (vertex, edge or coplanar face): not supported yet
 	InternalError,       // a check of our own failed; a defect of this library, never an answer
 };
-constexpr int kStatusCodeCount = 14;
+constexpr int kStatusCodeCount = 13;
 
 // What happened. `operand` is 0 or 1, or -1 where both or none are meant. `faces` are indices into
-// that operand's triangles as given to the core; for DegenerateContact they are operand 0's and
-// `otherFaces` operand 1's. `count` is the number of defects (edges for NotClosed and NotOriented,
-// components for NestedComponents, else faces, or pairs of faces for DegenerateContact).
+// that operand's triangles as given to the core. `count` is the number of defects (edges for
+// NotClosed and NotOriented, components for NestedComponents, else faces).
 struct Status {
 	StatusCode code = StatusCode::Ok;
 	int operand = -1;
@@ -41,7 +39,6 @@ struct Status {
 	bool hasPlace = false;
 	Point place{};  // one point at the first defect, if hasPlace
 	std::vector<std::uint32_t> faces;
-	std::vector<std::uint32_t> otherFaces;
 
 	bool ok() const { return code == StatusCode::Ok; }
 };

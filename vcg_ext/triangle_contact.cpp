@@ -43,8 +43,11 @@ public:
 	int edgeAgainstEdge(int i, int j) {
 		int& sign = edges_[index(3 * i + j)];
 		if (sign == kUnknownSign) {
-			sign = orient3d(point(0, i), point(0, nextCorner(i)), point(1, j),
-			                point(1, nextCorner(j)));
+			const bool common = isCorner(1, corner(0, i), j) ||
+			                    isCorner(1, corner(0, nextCorner(i)), j);
+			sign = common ? 0
+			              : orient3d(point(0, i), point(0, nextCorner(i)), point(1, j),
+			                         point(1, nextCorner(j)));
 		}
 		return sign;
 	}
@@ -58,16 +61,36 @@ public:
 		return signs;
 	}
 
+	bool coplanar() const { return side_[0] == Signs{} && side_[1] == Signs{}; }
+
+	// The corner of a face that is the given vertex, or -1.
+	int cornerAt(int face, VertexId v) const {
+		for (int i = 0; i < 3; ++i) {
+			if (corner(face, i) == v) {
+				return i;
+			}
+		}
+		return -1;
+	}
+
 	bool edgeStraddles(int face, int i) const {
 		return side(face, i) * side(face, nextCorner(i)) < 0;
 	}
 
 private:
+	// Whether a vertex is an end of edge j of a face.
+	bool isCorner(int face, VertexId v, int j) const {
+		return corner(face, j) == v || corner(face, nextCorner(j)) == v;
+	}
+
 	bool cornersAgainstPlane(int face) {
 		const int other = 1 - face;
 		for (int i = 0; i < 3; ++i) {
+			const bool common = cornerAt(other, corner(face, i)) >= 0;
 			side_[index(face)][index(i)] =
-			    orient3d(point(other, 0), point(other, 1), point(other, 2), point(face, i));
+			    common ? 0
+			           : orient3d(point(other, 0), point(other, 1), point(other, 2),
+			                      point(face, i));
 		}
 		const Signs& s = side_[index(face)];
 		return !(s[0] == s[1] && s[1] == s[2] && s[0] != 0);
@@ -96,31 +119,29 @@ std::array<std::uint32_t, 2> sortedEdge(VertexId a, VertexId b) {
 
 PointName edgeFaceName(const PairSigns& signs, int face, int i) {
 	const auto edge = sortedEdge(signs.corner(face, i), signs.corner(face, nextCorner(i)));
-	return {PointKind::EdgeFace, {edge[0], edge[1], signs.face(1 - face).value, 0}};
+	return {PointKind::EdgeFace, 0, {edge[0], edge[1], signs.face(1 - face).value, 0}};
 }
 
 // The ends of the segment in which two faces cross, as edges that pierce faces.
 struct Ends {
-	std::array<int, 2> found{};  // begins, ends
-	NamedSegment segment{};
+	std::array<std::size_t, 2> found{};  // begins, ends
+	std::array<PointName, 2> names{};
 
 	// Takes in edge i of a face, which pierces the other face. Along normal(a) x normal(b) a
 	// segment begins on a where its border goes up through b's plane, on b where its border goes
 	// down through a's plane.
 	void add(const PairSigns& signs, int face, int i) {
 		const bool upwards = signs.side(face, i) < 0;
-		const bool begins = upwards == (face == 0);
-		(begins ? segment.begin : segment.end) = edgeFaceName(signs, face, i);
-		++found[begins ? 0 : 1];
+		const std::size_t end = upwards == (face == 0) ? 0 : 1;
+		names[end] = edgeFaceName(signs, face, i);
+		++found[end];
 	}
 
 	// Writes the contact if the ends are those of none or one segment.
-	bool finish(const PairSigns& signs, PairContact& out) {
-		segment.a = signs.face(0);
-		segment.b = signs.face(1);
+	bool finish(PairContact& out) const {
 		out.generic = true;
-		out.meets = found[0] == 1;
-		out.segment = segment;
+		out.count = 2 * found[0];
+		std::copy(names.begin(), names.end(), out.points.begin());
 		return found[0] == found[1] && found[0] <= 1;
 	}
 };
@@ -153,7 +174,6 @@ bool genericContact(PairSigns& signs, Ends& ends) {
 class NamedPoints {
 public:
 	NamedPoints(PairSigns& signs, PairContact& out) : signs_(signs), out_(out) {
-		out_.pointCount = 0;
 		for (int face = 0; face < 2; ++face) {
 			int sign = 0;
 			axis_[index(face)] =
@@ -161,10 +181,8 @@ public:
 		}
 	}
 
-	// The ends of the segment, if the points turn out to be those of a generic contact.
-	Ends& ends() { return ends_; }
-
-	void collect() {
+	// False if there are more points than a pair of triangles can have.
+	bool collect() {
 		for (int face = 0; face < 2; ++face) {
 			for (int i = 0; i < 3; ++i) {
 				if (signs_.side(face, i) == 0) {
@@ -179,44 +197,50 @@ public:
 				addCrossing(i, j);
 			}
 		}
+		return !overflow_ && (signs_.coplanar() || out_.count <= 2);
 	}
+
+	// The ends of the segment, if the points turn out to be those of a generic contact.
+	const Ends& ends() const { return ends_; }
 
 private:
 	void add(const PointName& name) {
-		PointName* end = out_.points.begin() + out_.pointCount;
-		if (std::find(out_.points.begin(), end, name) == end &&
-		    out_.pointCount < PairContact::kMostPoints) {
-			*end = name;
-			++out_.pointCount;
+		PointName* end = out_.points.begin() + out_.count;
+		if (std::find(out_.points.begin(), end, name) != end) {
+			return;
 		}
+		if (out_.count == PairContact::kMostPoints) {
+			overflow_ = true;
+			return;
+		}
+		*end = name;
+		++out_.count;
 	}
 
-	// A corner in the plane of the other face: inside it, on an edge, on a corner, or away.
+	// A corner in the plane of the other face: a common corner, inside it, on an edge, or away.
 	void addCorner(int face, int i) {
 		const int other = 1 - face;
+		const VertexId v = signs_.corner(face, i);
+		if (signs_.cornerAt(other, v) >= 0) {
+			add({PointKind::Vertex, 0, {v.value, 0, 0, 0}});
+			return;
+		}
 		Signs s;
 		for (int j = 0; j < 3; ++j) {
 			s[index(j)] = orient2d(signs_.point(other, j), signs_.point(other, nextCorner(j)),
 			                       signs_.point(face, i), axis_[index(other)]);
 		}
+		const auto zero = std::find(s.begin(), s.end(), 0);
 		if (mixed(s)) {
 			return;
 		}
-		const std::uint32_t v = signs_.corner(face, i).value;
-		const auto zeros = std::count(s.begin(), s.end(), 0);
-		const int j = static_cast<int>(std::find(s.begin(), s.end(), 0) - s.begin());
-		if (zeros == 0) {
-			add({PointKind::VertexFace, {v, signs_.face(other).value, 0, 0}});
-		} else if (zeros == 1) {
-			const auto edge =
-			    sortedEdge(signs_.corner(other, j), signs_.corner(other, nextCorner(j)));
-			add({PointKind::VertexEdge, {v, edge[0], edge[1], 0}});
-		} else {
-			// On the lines of two edges: the corner they share.
-			const int k = s[index(nextCorner(j))] == 0 ? nextCorner(j) : j;
-			const std::uint32_t w = signs_.corner(other, k).value;
-			add({PointKind::VertexVertex, {std::min(v, w), std::max(v, w), 0, 0}});
+		if (zero == s.end()) {
+			add({PointKind::Vertex, 0, {v.value, 0, 0, 0}});
+			return;
 		}
+		const int j = static_cast<int>(zero - s.begin());
+		const auto edge = sortedEdge(signs_.corner(other, j), signs_.corner(other, nextCorner(j)));
+		add({PointKind::OnEdge, 0, {v.value, edge[0], edge[1], 0}});
 	}
 
 	// An edge that goes through the plane of the other face, strictly, and through the face's
@@ -248,7 +272,9 @@ private:
 				const auto first = sortedEdge(signs_.corner(0, i), signs_.corner(0, nextCorner(i)));
 				const auto second =
 				    sortedEdge(signs_.corner(1, j), signs_.corner(1, nextCorner(j)));
-				add({PointKind::EdgeEdge, {first[0], first[1], second[0], second[1]}});
+				add({PointKind::EdgeEdge,
+				     static_cast<std::uint8_t>(axis),
+				     {first[0], first[1], second[0], second[1]}});
 				return;
 			}
 		}
@@ -258,69 +284,60 @@ private:
 	PairContact& out_;
 	std::array<int, 2> axis_{};
 	Ends ends_;
+	bool overflow_ = false;
 };
 
 }  // namespace
 
 bool contactOf(const MeshArrays& mesh, FacePair pair, PairContact& out) {
-	out.generic = true;
-	out.meets = false;
+	out.generic = false;
+	out.count = 0;
 	PairSigns signs(mesh, pair);
 	if (!signs.straddle()) {
 		return true;
 	}
 	Ends ends;
 	if (genericContact(signs, ends)) {
-		return ends.finish(signs, out);
+		return ends.finish(out);
 	}
 	NamedPoints named(signs, out);
-	named.collect();
-	const auto isGeneric = [](const PointName& n) { return n.kind == PointKind::EdgeFace; };
-	if (std::all_of(out.points.begin(), out.points.begin() + out.pointCount, isGeneric)) {
-		return named.ends().finish(signs, out);
+	if (!named.collect()) {
+		return false;
 	}
-	out.generic = false;
-	out.meets = true;
-	return true;
+	const auto isGeneric = [](const PointName& n) { return n.kind == PointKind::EdgeFace; };
+	return std::all_of(out.points.begin(), out.points.begin() + out.count, isGeneric)
+	           ? named.ends().finish(out)
+	           : true;
 }
 
 namespace {
 
 // What one chunk of pairs gave.
 struct ChunkContacts {
-	std::vector<NamedSegment> segments;
-	std::vector<FacePair> degenerate;
+	Contacts contacts;
 	bool consistent = true;
 };
 
-Status refuseDegenerate(const Arrangement& arrangement, const std::vector<ChunkContacts>& chunks) {
-	Status status;
-	for (const ChunkContacts& chunk : chunks) {
-		if (!chunk.consistent) {
-			status.code = StatusCode::InternalError;
-			return status;
-		}
-		for (const FacePair pair : chunk.degenerate) {
-			status.code = StatusCode::DegenerateContact;
-			if (status.count++ == 0) {
-				status.hasPlace = true;
-				status.place = at(arrangement.mesh.points, at(arrangement.mesh.triangles, pair.a)[0]);
-			}
-			status.faces.push_back(arrangement.givenFace(pair.a));
-			status.otherFaces.push_back(arrangement.givenFace(pair.b));
-		}
+void append(Contacts& all, const Contacts& some) {
+	const auto offset = static_cast<std::uint32_t>(all.names.size());
+	all.names.insert(all.names.end(), some.names.begin(), some.names.end());
+	for (NamedContact contact : some.pairs) {
+		contact.first += offset;
+		all.pairs.push_back(contact);
 	}
-	for (auto* faces : {&status.faces, &status.otherFaces}) {
-		std::sort(faces->begin(), faces->end());
-		faces->erase(std::unique(faces->begin(), faces->end()), faces->end());
-	}
-	return status;
+}
+
+void append(Contacts& all, FacePair pair, const PairContact& contact) {
+	all.pairs.push_back({pair.a, pair.b, static_cast<std::uint32_t>(all.names.size()),
+	                     static_cast<std::uint8_t>(contact.count), contact.generic});
+	all.names.insert(all.names.end(), contact.points.begin(),
+	                 contact.points.begin() + contact.count);
 }
 
 }  // namespace
 
 Status findContacts(const Arrangement& arrangement, const std::vector<FacePair>& pairs,
-                    Monitor& monitor, std::vector<NamedSegment>& out) {
+                    Monitor& monitor, Contacts& out) {
 	constexpr std::size_t kGrain = 2048;
 	std::vector<ChunkContacts> chunks(chunkCount(pairs.size(), kGrain));
 	Status status = parallelForChunks(
@@ -331,18 +348,16 @@ Status findContacts(const Arrangement& arrangement, const std::vector<FacePair>&
 		    for (std::size_t i = begin; i < end; ++i) {
 			    if (!contactOf(arrangement.mesh, pairs[i], contact)) {
 				    found.consistent = false;
-			    } else if (contact.meets && contact.generic) {
-				    found.segments.push_back(contact.segment);
-			    } else if (contact.meets) {
-				    found.degenerate.push_back(pairs[i]);
+			    } else if (contact.count > 0) {
+				    append(found.contacts, pairs[i], contact);
 			    }
 		    }
 	    });
-	if (status.ok()) {
-		status = refuseDegenerate(arrangement, chunks);
-	}
 	for (const ChunkContacts& chunk : chunks) {
-		out.insert(out.end(), chunk.segments.begin(), chunk.segments.end());
+		if (!chunk.consistent) {
+			status.code = StatusCode::InternalError;
+		}
+		append(out, chunk.contacts);
 	}
 	return status;
 }

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Index Boolean authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Names sort by their edge first, so that the points of one edge are neighbours: one sort numbers
-// the points and finds the cut edges.
+// Everything here is sorting: names to number the points, edges to collect the points on them, pairs
+// of points to find segments that several pairs of faces share.
 #include "weld.h"
 
 #include "parallel.h"
@@ -14,62 +14,164 @@ namespace index_boolean {
 
 namespace {
 
-// One end of one segment: 2 * segment + (0 begin | 1 end).
-struct NamedEnd {
-	PointName name;
-	std::uint32_t end;
+bool isNewPoint(const PointName& name) {
+	return name.kind == PointKind::EdgeEdge || name.kind == PointKind::EdgeFace;
+}
+
+// A point on an edge of an operand; none() stands for an edge that is there for its ends alone.
+struct EdgePoint {
+	VertexId low, high;
+	VertexId point;
+
+	friend bool operator<(const EdgePoint& a, const EdgePoint& b) {
+		return a.low != b.low     ? a.low < b.low
+		       : a.high != b.high ? a.high < b.high
+		                          : a.point < b.point;
+	}
+	friend bool operator==(const EdgePoint& a, const EdgePoint& b) {
+		return a.low == b.low && a.high == b.high && a.point == b.point;
+	}
 };
 
-void numberPoints(const std::vector<NamedSegment>& segments, Curve& curve) {
-	std::vector<NamedEnd> ends;
-	ends.reserve(2 * segments.size());
-	for (const NamedSegment& s : segments) {
-		ends.push_back({s.begin, static_cast<std::uint32_t>(ends.size())});
-		ends.push_back({s.end, static_cast<std::uint32_t>(ends.size())});
+// A straight line between two points that a contact asks for.
+struct ContactLine {
+	VertexId begin, end;
+	std::uint32_t contact;
+
+	std::pair<VertexId, VertexId> key() const { return std::minmax(begin, end); }
+	friend bool operator<(const ContactLine& a, const ContactLine& b) {
+		const auto x = a.key(), y = b.key();
+		return x.first != y.first     ? x.first < y.first
+		       : x.second != y.second ? x.second < y.second
+		                              : a.contact < b.contact;
 	}
-	std::sort(ends.begin(), ends.end(), [](const NamedEnd& a, const NamedEnd& b) {
-		return a.name == b.name ? a.end < b.end : a.name < b.name;
+};
+
+class Welder {
+public:
+	Welder(Arrangement& arrangement, const Contacts& contacts, Monitor& monitor)
+	    : arrangement_(arrangement), mesh_(arrangement.mesh), curve_(arrangement.curve),
+	      contacts_(contacts), monitor_(monitor) {}
+
+	Status run();
+
+private:
+	void numberPoints();
+	Status roundPoints();
+	void collectTouchedFaces();
+	void collectPointsOnEdges();
+	void collectCutEdges();
+	bool sortAlongEdge(const CutEdge& edge, VertexId* points) const;
+	Status sortPointsOnEdges();
+	Status refuseCoincidentPoints(const CutEdge& edge) const;
+	void collectLines();
+	void addOverlap(std::uint32_t contact);
+	void numberSegments();
+
+	bool isOn(VertexId v) const { return arrangement_.isOnOther(v); }
+	ExactPoint exact(VertexId v) const { return exactPoint(arrangement_, v); }
+
+	Arrangement& arrangement_;
+	const MeshArrays& mesh_;
+	Curve& curve_;
+	const Contacts& contacts_;
+	Monitor& monitor_;
+	std::vector<VertexId> vertexOfName_;  // per name in the contacts
+	std::vector<EdgePoint> edgePoints_;
+	std::vector<ContactLine> lines_;
+};
+
+// New points are numbered in the order of their names; the others are input vertices.
+void Welder::numberPoints() {
+	curve_.onOther.assign(mesh_.points.size(), 0);
+	vertexOfName_.resize(contacts_.names.size());
+	std::vector<std::uint32_t> slots;
+	for (std::uint32_t i = 0; i < contacts_.names.size(); ++i) {
+		const PointName& name = contacts_.names[i];
+		if (isNewPoint(name)) {
+			slots.push_back(i);
+		} else {
+			vertexOfName_[i] = {name.ids[0]};
+			curve_.onOther[name.ids[0]] = 1;
+		}
+	}
+	std::sort(slots.begin(), slots.end(), [this](std::uint32_t a, std::uint32_t b) {
+		return contacts_.names[a] < contacts_.names[b];
 	});
-	curve.segments.resize(segments.size());
-	for (const NamedEnd& e : ends) {
-		if (curve.names.empty() || !(curve.names.back() == e.name)) {
-			curve.names.push_back(e.name);
+	for (const std::uint32_t slot : slots) {
+		const PointName& name = contacts_.names[slot];
+		if (curve_.names.empty() || !(curve_.names.back() == name)) {
+			curve_.names.push_back(name);
 		}
-		const PointId point = makeId<PointTag>(curve.names.size() - 1);
-		Segment& segment = curve.segments[e.end / 2];
-		(e.end % 2 == 0 ? segment.begin : segment.end) = point;
-	}
-	for (std::size_t i = 0; i < segments.size(); ++i) {
-		curve.segments[i].a = segments[i].a;
-		curve.segments[i].b = segments[i].b;
+		vertexOfName_[slot] = arrangement_.vertexOf(makeId<PointTag>(curve_.names.size() - 1));
 	}
 }
 
-void collectCutEdges(Curve& curve) {
-	for (std::uint32_t p = 0; p < curve.names.size(); ++p) {
-		const VertexId low{curve.names[p].ids[0]};
-		const VertexId high{curve.names[p].ids[1]};
-		if (curve.cutEdges.empty() || curve.cutEdges.back().low != low ||
-		    curve.cutEdges.back().high != high) {
-			curve.cutEdges.push_back({low, high, p, 0});
-		}
-		++curve.cutEdges.back().count;
-		curve.pointsOnEdges.push_back({p});
-	}
-}
-
-Status roundPoints(Arrangement& arrangement, Monitor& monitor) {
-	Curve& curve = arrangement.curve;
-	curve.rounded.resize(curve.pointCount());
-	return parallelFor(curve.pointCount(), 256, arrangement.options.threads, monitor,
+Status Welder::roundPoints() {
+	curve_.rounded.resize(curve_.pointCount());
+	return parallelFor(curve_.pointCount(), 1024, arrangement_.options.threads, monitor_,
 	                   [&](std::size_t begin, std::size_t end) {
 		                   for (std::size_t p = begin; p < end; ++p) {
-			                   const PointId id = makeId<PointTag>(p);
-			                   ExactPoint point = exactPoint(arrangement, arrangement.vertexOf(id));
+			                   ExactPoint point = exact(arrangement_.vertexOf(makeId<PointTag>(p)));
 			                   roundPoint(point);
-			                   curve.rounded[p] = point.rounded;
+			                   curve_.rounded[p] = point.rounded;
 		                   }
 	                   });
+}
+
+void Welder::collectTouchedFaces() {
+	std::vector<FaceId>& faces = curve_.touchedFaces;
+	for (const NamedContact& contact : contacts_.pairs) {
+		faces.push_back(contact.a);
+		faces.push_back(contact.b);
+	}
+	std::sort(faces.begin(), faces.end());
+	faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
+}
+
+void Welder::collectPointsOnEdges() {
+	for (std::uint32_t p = 0; p < curve_.names.size(); ++p) {
+		const auto& ids = curve_.names[p].ids;
+		const VertexId point = arrangement_.vertexOf({p});
+		edgePoints_.push_back({VertexId{ids[0]}, VertexId{ids[1]}, point});
+		if (curve_.names[p].kind == PointKind::EdgeEdge) {
+			edgePoints_.push_back({VertexId{ids[2]}, VertexId{ids[3]}, point});
+		}
+	}
+	for (const PointName& name : contacts_.names) {
+		if (name.kind == PointKind::OnEdge) {
+			edgePoints_.push_back(
+			    {VertexId{name.ids[1]}, VertexId{name.ids[2]}, VertexId{name.ids[0]}});
+		}
+	}
+	for (const FaceId face : curve_.touchedFaces) {
+		const Triangle& t = at(mesh_.triangles, face);
+		for (std::size_t i = 0; i < 3; ++i) {
+			const auto edge = std::minmax(t[i], t[(i + 1) % 3]);
+			if (isOn(edge.first) && isOn(edge.second)) {
+				edgePoints_.push_back({edge.first, edge.second, VertexId::none()});
+			}
+		}
+	}
+	std::sort(edgePoints_.begin(), edgePoints_.end());
+	edgePoints_.erase(std::unique(edgePoints_.begin(), edgePoints_.end()), edgePoints_.end());
+}
+
+void Welder::collectCutEdges() {
+	std::uint32_t interval = 0;
+	for (const EdgePoint& e : edgePoints_) {
+		const bool isNewEdge = curve_.cutEdges.empty() || curve_.cutEdges.back().low != e.low ||
+		                       curve_.cutEdges.back().high != e.high;
+		if (isNewEdge) {
+			const auto first = static_cast<std::uint32_t>(curve_.pointsOnEdges.size());
+			curve_.cutEdges.push_back({e.low, e.high, first, 0, interval++});
+		}
+		if (e.point != VertexId::none()) {
+			curve_.pointsOnEdges.push_back(e.point);
+			++curve_.cutEdges.back().count;
+			++interval;
+		}
+	}
 }
 
 // The axis along which an edge is longest: coordinates grow or fall strictly along it.
@@ -89,48 +191,55 @@ int longestAxis(const Point& a, const Point& b) {
 }
 
 // Sorts the points of one edge from its low end on. False if two of them coincide.
-bool sortAlongEdge(const Arrangement& arrangement, const CutEdge& edge, PointId* points) {
-	const Point& low = at(arrangement.mesh.points, edge.low);
-	const Point& high = at(arrangement.mesh.points, edge.high);
+bool Welder::sortAlongEdge(const CutEdge& edge, VertexId* points) const {
+	const Point& low = at(mesh_.points, edge.low);
+	const Point& high = at(mesh_.points, edge.high);
 	const int axis = longestAxis(low, high);
 	const bool rising = low[static_cast<std::size_t>(axis)] < high[static_cast<std::size_t>(axis)];
 	bool distinct = true;
-	std::sort(points, points + edge.count, [&](PointId a, PointId b) {
+	std::sort(points, points + edge.count, [&](VertexId a, VertexId b) {
 		if (a == b) {
 			return false;
 		}
-		const int order = compareCoordinate(exactPoint(arrangement, arrangement.vertexOf(a)),
-		                                    exactPoint(arrangement, arrangement.vertexOf(b)), axis);
+		const int order = compareCoordinate(exact(a), exact(b), axis);
 		distinct = distinct && order != 0;
 		return rising ? order < 0 : order > 0;
 	});
 	return distinct;
 }
 
-Status refuseCoincidentPoints(const Arrangement& arrangement, const CutEdge& edge) {
+// Two points of contact in one place: faces of the other operand meet there without a common edge.
+Status Welder::refuseCoincidentPoints(const CutEdge& edge) const {
 	Status status;
 	status.code = StatusCode::SelfIntersecting;
-	status.operand = 1 - arrangement.mesh.operandOf(edge.low);
-	for (std::uint32_t i = 0; i < edge.count; ++i) {
-		const PointId p = arrangement.curve.pointsOnEdges[edge.first + i];
-		status.faces.push_back(arrangement.givenFace({at(arrangement.curve.names, p).ids[2]}));
+	status.hasPlace = true;
+	status.place = at(mesh_.points, edge.low);
+	for (const NamedContact& contact : contacts_.pairs) {
+		for (const FaceId face : {contact.a, contact.b}) {
+			const Triangle& t = at(mesh_.triangles, face);
+			const bool hasEdge = std::count(t.begin(), t.end(), edge.low) != 0 &&
+			                     std::count(t.begin(), t.end(), edge.high) != 0;
+			if (hasEdge) {
+				const FaceId other = face == contact.a ? contact.b : contact.a;
+				status.operand = mesh_.operandOf(other);
+				status.faces.push_back(arrangement_.givenFace(other));
+			}
+		}
 	}
 	std::sort(status.faces.begin(), status.faces.end());
+	status.faces.erase(std::unique(status.faces.begin(), status.faces.end()), status.faces.end());
 	status.count = status.faces.size();
-	status.hasPlace = true;
-	status.place = at(arrangement.curve.rounded, arrangement.curve.pointsOnEdges[edge.first]);
 	return status;
 }
 
-Status sortPointsOnEdges(Arrangement& arrangement, Monitor& monitor) {
-	Curve& curve = arrangement.curve;
+Status Welder::sortPointsOnEdges() {
 	std::atomic<std::uint32_t> firstTied{0xffffffffu};
 	Status status = parallelFor(
-	    curve.cutEdges.size(), 64, arrangement.options.threads, monitor,
+	    curve_.cutEdges.size(), 512, arrangement_.options.threads, monitor_,
 	    [&](std::size_t begin, std::size_t end) {
 		    for (std::size_t e = begin; e < end; ++e) {
-			    const CutEdge& edge = curve.cutEdges[e];
-			    if (!sortAlongEdge(arrangement, edge, curve.pointsOnEdges.data() + edge.first)) {
+			    const CutEdge& edge = curve_.cutEdges[e];
+			    if (!sortAlongEdge(edge, curve_.pointsOnEdges.data() + edge.first)) {
 				    const auto tied = static_cast<std::uint32_t>(e);
 				    std::uint32_t known = firstTied.load();
 				    while (tied < known && !firstTied.compare_exchange_weak(known, tied)) {
@@ -139,7 +248,108 @@ Status sortPointsOnEdges(Arrangement& arrangement, Monitor& monitor) {
 		    }
 	    });
 	if (status.ok() && firstTied.load() != 0xffffffffu) {
-		return refuseCoincidentPoints(arrangement, curve.cutEdges[firstTied.load()]);
+		return refuseCoincidentPoints(curve_.cutEdges[firstTied.load()]);
+	}
+	return status;
+}
+
+bool lexicographicallyBefore(const ExactPoint& a, const ExactPoint& b) {
+	for (int axis = 0; axis < 3; ++axis) {
+		if (const int order = compareCoordinate(a, b, axis); order != 0) {
+			return order < 0;
+		}
+	}
+	return false;
+}
+
+// The sides of a coplanar overlap, and a fan of diagonals from its lexicographically smallest corner.
+void Welder::addOverlap(std::uint32_t contact) {
+	const NamedContact& c = contacts_.pairs[contact];
+	std::vector<std::pair<VertexId, ExactPoint>> corners;
+	for (std::uint32_t i = 0; i < c.count; ++i) {
+		const VertexId v = vertexOfName_[c.first + i];
+		corners.emplace_back(v, exact(v));
+	}
+	int sign = 0;
+	const int axis = projectionAxis(at(mesh_.triangles, c.a), mesh_.points, sign);
+	std::iter_swap(corners.begin(), std::min_element(corners.begin(), corners.end(),
+	                                                 [](const auto& a, const auto& b) {
+		                                                 return lexicographicallyBefore(a.second,
+		                                                                                b.second);
+	                                                 }));
+	const ExactPoint& apex = corners.front().second;
+	std::sort(corners.begin() + 1, corners.end(), [&](const auto& a, const auto& b) {
+		return orient2d(apex, a.second, b.second, axis) > 0;
+	});
+	for (std::size_t i = 0; i < corners.size(); ++i) {
+		const VertexId next = corners[(i + 1) % corners.size()].first;
+		lines_.push_back({corners[i].first, next, contact});
+	}
+	for (std::size_t i = 2; i + 1 < corners.size(); ++i) {
+		curve_.faceDiagonals.push_back({c.a, corners.front().first, corners[i].first});
+		curve_.faceDiagonals.push_back({c.b, corners.front().first, corners[i].first});
+	}
+}
+
+void Welder::collectLines() {
+	for (std::uint32_t i = 0; i < contacts_.pairs.size(); ++i) {
+		const NamedContact& c = contacts_.pairs[i];
+		if (c.count == 2) {
+			lines_.push_back({vertexOfName_[c.first], vertexOfName_[c.first + 1], i});
+		} else if (c.count > 2) {
+			addOverlap(i);
+		}
+	}
+	std::sort(lines_.begin(), lines_.end());
+	std::sort(curve_.faceDiagonals.begin(), curve_.faceDiagonals.end(),
+	          [](const FaceDiagonal& a, const FaceDiagonal& b) {
+		          return a.face != b.face     ? a.face < b.face
+		                 : a.begin != b.begin ? a.begin < b.begin
+		                                      : a.end < b.end;
+	          });
+}
+
+void Welder::numberSegments() {
+	for (std::size_t i = 0; i < lines_.size();) {
+		std::size_t next = i + 1;
+		while (next < lines_.size() && lines_[next].key() == lines_[i].key()) {
+			++next;
+		}
+		const NamedContact& c = contacts_.pairs[lines_[i].contact];
+		const SegmentId segment = makeId<SegmentTag>(curve_.segments.size());
+		curve_.segments.push_back(
+		    {lines_[i].begin, lines_[i].end, c.a, c.b, next - i == 1 && c.generic});
+		for (std::size_t line = i; line < next; ++line) {
+			const NamedContact& contact = contacts_.pairs[lines_[line].contact];
+			curve_.faceSegments.push_back({contact.a, segment});
+			curve_.faceSegments.push_back({contact.b, segment});
+		}
+		i = next;
+	}
+	std::vector<FaceSegment>& all = curve_.faceSegments;
+	std::sort(all.begin(), all.end(), [](const FaceSegment& a, const FaceSegment& b) {
+		return a.face != b.face ? a.face < b.face : a.segment < b.segment;
+	});
+	all.erase(std::unique(all.begin(), all.end(),
+	                      [](const FaceSegment& a, const FaceSegment& b) {
+		                      return a.face == b.face && a.segment == b.segment;
+	                      }),
+	          all.end());
+}
+
+Status Welder::run() {
+	numberPoints();
+	Status status = roundPoints();
+	if (!status.ok()) {
+		return status;
+	}
+	collectTouchedFaces();
+	collectPointsOnEdges();
+	collectCutEdges();
+	status = sortPointsOnEdges();
+	if (status.ok()) {
+		collectLines();
+		numberSegments();
 	}
 	return status;
 }
@@ -152,21 +362,23 @@ ExactPoint exactPoint(const Arrangement& arrangement, VertexId vertex) {
 		return ExactPoint::explicitPoint(at(points, vertex));
 	}
 	const PointId id = arrangement.pointOf(vertex);
-	const auto& ids = at(arrangement.curve.names, id).ids;
-	const Triangle& face = arrangement.mesh.triangles[ids[2]];
-	ExactPoint point =
-	    ExactPoint::linePlane({&points[ids[0]], &points[ids[1]], &at(points, face[0]),
-	                           &at(points, face[1]), &at(points, face[2])});
+	const PointName& name = at(arrangement.curve.names, id);
+	const auto& ids = name.ids;
+	ExactPoint point;
+	if (name.kind == PointKind::EdgeEdge) {
+		point = ExactPoint::lineLine(
+		    {&points[ids[0]], &points[ids[1]], &points[ids[2]], &points[ids[3]]}, name.axis);
+	} else {
+		const Triangle& face = arrangement.mesh.triangles[ids[2]];
+		point = ExactPoint::linePlane({&points[ids[0]], &points[ids[1]], &at(points, face[0]),
+		                               &at(points, face[1]), &at(points, face[2])});
+	}
 	point.rounded = at(arrangement.curve.rounded, id);
 	return point;
 }
 
-Status weldPoints(Arrangement& arrangement, const std::vector<NamedSegment>& segments,
-                  Monitor& monitor) {
-	numberPoints(segments, arrangement.curve);
-	collectCutEdges(arrangement.curve);
-	const Status status = roundPoints(arrangement, monitor);
-	return status.ok() ? sortPointsOnEdges(arrangement, monitor) : status;
+Status weldPoints(Arrangement& arrangement, const Contacts& contacts, Monitor& monitor) {
+	return Welder(arrangement, contacts, monitor).run();
 }
 
 }  // namespace index_boolean

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Index Boolean authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// in: segments between named points; out: the curve with one numbering for all points, their
-// coordinates, and their order along each input edge.
+// in: contacts by name; out: the curve: one numbering for all points, their coordinates, their order
+// along each input edge, and each segment once.
 // Guarantee: equal names become one point; the order along an edge is exact; coordinates are the
 // exact points correctly rounded, hence in the same order.
 // Source: Mei & Tipper 2013, step 3, by names instead of distances.
@@ -21,11 +21,9 @@ namespace index_boolean {
 ExactPoint exactPoint(const Arrangement& arrangement, VertexId vertex);
 
 // Fills arrangement.curve.
-// \param segments any order
 // \return Ok, Cancelled, OutOfMemory, InternalError; SelfIntersecting if two faces of one operand
 //         pierce an edge in one point
-// Complexity: O(s log s) for s segments.
-Status weldPoints(Arrangement& arrangement, const std::vector<NamedSegment>& segments,
-                  Monitor& monitor);
+// Complexity: O(c log c) for c contacts.
+Status weldPoints(Arrangement& arrangement, const Contacts& contacts, Monitor& monitor);
 
 }  // namespace index_boolean

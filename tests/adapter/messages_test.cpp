@@ -53,14 +53,13 @@ TEST(Messages, aDefectNamesItsLayerByLabelAndId) {
 TEST(Messages, countedDefectsGiveTheirCount) {
 	for (const StatusCode code :
 	     {StatusCode::NotFinite, StatusCode::IndexOutOfRange, StatusCode::NotClosed,
-	      StatusCode::NotOriented, StatusCode::NestedComponents, StatusCode::SelfIntersecting,
-	      StatusCode::DegenerateContact}) {
+	      StatusCode::NotOriented, StatusCode::NestedComponents, StatusCode::SelfIntersecting}) {
 		EXPECT_TRUE(contains(refusal(code, 0), "12345")) << refusal(code, 0);
 	}
 }
 
 TEST(Messages, aDefectOfBothLayersNamesBoth) {
-	const std::string message = refusal(StatusCode::DegenerateContact, -1);
+	const std::string message = refusal(StatusCode::TooLarge, -1);
 	EXPECT_TRUE(contains(message, "\"bunny.ply\" (id 3) and \"50% cube\" (id 7)")) << message;
 }
 

@@ -316,15 +316,28 @@ TEST(Refusals, componentsThatOverlapWhereTheVolumeLawsCannotTell) {
 	EXPECT_FALSE(r.status.faces.empty());
 }
 
-TEST(Refusals, touchingOperandsAreNamedAndNeverAnsweredWrongly) {
+TEST(Contacts, boxesThatShareAFaceAnEdgeAVertexOrMoreAreRight) {
 	const Mesh unit = box({0, 0, 0}, {1, 1, 1});
-	for (const Mesh& other : {box({1, 0, 0}, {2, 1, 1}), box({1, 1, 0}, {2, 2, 1}),
-	                          box({1, 1, 1}, {2, 2, 2}), box({0.25, 0.25, 0}, {0.5, 0.5, 1}),
-	                          box({-1, 0.5, 0.5}, {2, 0.75, 1}), unit}) {
-		const BooleanRun r = run(unit, other);
-		EXPECT_EQ(r.status.code, StatusCode::DegenerateContact) << statusName(r.status.code);
-		EXPECT_FALSE(r.status.faces.empty());
-		EXPECT_FALSE(r.status.otherFaces.empty());
+	struct Case {
+		Mesh other;
+		double both;
+	};
+	for (const Case& c : {Case{box({1, 0, 0}, {2, 1, 1}), 0}, Case{box({1, 1, 0}, {2, 2, 1}), 0},
+	                      Case{box({1, 1, 1}, {2, 2, 2}), 0},
+	                      Case{box({0.25, 0.25, 0}, {0.5, 0.5, 1}), 0.0625},
+	                      Case{box({-1, 0.5, 0.5}, {2, 0.75, 1}), 0.125}, Case{unit, 1},
+	                      Case{box({1, 0.25, 0.25}, {2, 0.75, 0.75}), 0},
+	                      Case{box({0, 0, 0}, {0.5, 0.5, 0.5}), 0.125},
+	                      Case{box({0.5, 0.5, 0.5}, {2, 2, 1}), 0.125},
+	                      Case{box({0.5, 0, 0}, {1.5, 1, 1}), 0.5},
+	                      Case{box({-1, -1, 0}, {2, 2, 0.5}), 0.5}}) {
+		for (const bool swap : {false, true}) {
+			const BooleanRun r = swap ? run(c.other, unit) : run(unit, c.other);
+			expectLaws(r);
+			if (r.status.ok()) {
+				EXPECT_DOUBLE_EQ(r.volume(Operation::Intersection), c.both);
+			}
+		}
 	}
 }
 
