@@ -35,8 +35,8 @@ constexpr std::size_t chunkCount(std::size_t n, std::size_t grain) {
 	return n / grain + (n % grain == 0 ? 0 : 1);
 }
 
-// Threads for two tasks of about half of `work` items each: one where waking another costs more than
-// it saves.
+// Threads for two tasks of about half of `work` items each: one where waking another costs more
+// than it saves.
 constexpr int threadsForHalves(std::size_t work, int threads) {
 	return work < (std::size_t{1} << 15) ? 1 : threads;
 }
