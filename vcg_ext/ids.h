@@ -29,10 +29,7 @@ struct Id {
 using VertexId = Id<struct VertexTag>;    // an input vertex, or a point of the curve (numbered after)
 using FaceId = Id<struct FaceTag>;        // an input face
 using PointId = Id<struct PointTag>;      // a point of the curve; its VertexId is vertexCount + value
-using CutEdgeId = Id<struct CutEdgeTag>;  // an input edge that carries at least one point
 using SegmentId = Id<struct SegmentTag>;  // one edge of the intersection curve
-using LoopId = Id<struct LoopTag>;        // one maximal chain of the intersection curve
-using ClassId = Id<struct ClassTag>;      // a label class: faces and vertices with one label
 
 using Point = std::array<double, 3>;
 using Triangle = std::array<VertexId, 3>;

@@ -7,7 +7,6 @@
 #include "clean.h"
 #include "labels.h"
 #include "loops.h"
-#include "mesh_checks.h"
 #include "octree_pairs.h"
 #include "operands.h"
 #include "parallel.h"
@@ -95,27 +94,25 @@ Status cleanBlock(const Options& options, Monitor& monitor, Block& block) {
 	return status;
 }
 
-// The volumes that the laws are about: those of delivered blocks, else as the laws predict them
-// from the operands and another delivered block; NaN if none tells.
-struct BlockVolumes {
-	std::array<double, kOperationCount> delivered;
-
-	double of(Operation operation) const { return delivered[static_cast<std::size_t>(operation)]; }
-};
+// The volume of each operation's block, NaN if it was not delivered.
+using BlockVolumes = std::array<double, kOperationCount>;
 
 // The largest |law| over the laws whose blocks have all been delivered.
 double largestLawResidual(const std::array<double, 2>& operand, const BlockVolumes& volumes) {
-	const double both = volumes.of(Operation::Intersection);
-	const double firstOnly = volumes.of(Operation::FirstMinusSecond);
-	const double secondOnly = volumes.of(Operation::SecondMinusFirst);
+	const auto of = [&volumes](Operation o) { return volumes[static_cast<std::size_t>(o)]; };
+	const double either = of(Operation::Union);
+	const double both = of(Operation::Intersection);
+	const double firstOnly = of(Operation::FirstMinusSecond);
+	const double secondOnly = of(Operation::SecondMinusFirst);
+	const double one = of(Operation::SymmetricDifference);
 	const double laws[] = {
-	    volumes.of(Operation::Union) + both - operand[0] - operand[1],
+	    either + both - operand[0] - operand[1],
 	    firstOnly + both - operand[0],
 	    secondOnly + both - operand[1],
-	    volumes.of(Operation::Union) - firstOnly - operand[1],
-	    volumes.of(Operation::Union) - secondOnly - operand[0],
-	    volumes.of(Operation::SymmetricDifference) - firstOnly - secondOnly,
-	    volumes.of(Operation::SymmetricDifference) + 2 * both - operand[0] - operand[1],
+	    either - firstOnly - operand[1],
+	    either - secondOnly - operand[0],
+	    one - firstOnly - secondOnly,
+	    one + 2 * both - operand[0] - operand[1],
 	};
 	double most = 0;
 	for (const double law : laws) {
@@ -163,12 +160,12 @@ Status audit(const Arrangement& arrangement, const std::vector<Block>& blocks, M
 	return guarded([&] {
 		Status status;
 		out = Audit{};
-		BlockVolumes volumes{};
-		volumes.delivered.fill(std::nan(""));
+		BlockVolumes volumes;
+		volumes.fill(std::nan(""));
 		for (std::size_t i = 0; i < blocks.size(); ++i) {
 			const BlockMeasure measure = measureSurface(blocks[i].points, blocks[i].triangles,
 			                                            arrangement.options.threads);
-			volumes.delivered[static_cast<std::size_t>(blocks[i].operation)] = measure.volume;
+			volumes[static_cast<std::size_t>(blocks[i].operation)] = measure.volume;
 			out.blocks.push_back(measure);
 			if (!measure.closed) {
 				status.code = StatusCode::InternalError;
