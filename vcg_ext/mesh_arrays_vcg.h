@@ -13,6 +13,14 @@
 
 #include <vcg/complex/complex.h>
 
+#ifdef _OPENMP
+#include <omp.h>
+#endif
+#ifdef __linux__
+#include <sys/mman.h>
+#include <unistd.h>
+#endif
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -23,6 +31,15 @@ namespace index_boolean {
 
 // The number of elements that one thread reads or writes at a time.
 constexpr std::size_t kElementGrain = 16384;
+
+// How many threads the parallel loops use.
+inline std::size_t threadCount() {
+#ifdef _OPENMP
+	return static_cast<std::size_t>(omp_get_max_threads());
+#else
+	return 1;
+#endif
+}
 
 // The positions of the elements that are not deleted, in order; an empty vector if all of
 // `elements` live, so that the usual mesh pays nothing.
@@ -194,10 +211,28 @@ typename TriMesh::CoordType toCoordinate(const Point& p) {
 	                                   static_cast<Scalar>(p[2]));
 }
 
+// Asks the system for huge pages in memory that has not been touched yet: a large layer is written
+// in half the time. Where there are none, nothing happens.
+inline void adviseHugePages([[maybe_unused]] void* memory, [[maybe_unused]] std::size_t bytes) {
+#ifdef MADV_HUGEPAGE
+	const auto page = static_cast<std::uintptr_t>(sysconf(_SC_PAGESIZE));
+	const std::uintptr_t begin =
+	    (reinterpret_cast<std::uintptr_t>(memory) + page - 1) / page * page;
+	const std::uintptr_t end = (reinterpret_cast<std::uintptr_t>(memory) + bytes) / page * page;
+	constexpr std::size_t kHugePage = std::size_t{1} << 21;
+	if (bytes >= 2 * kHugePage)
+		madvise(reinterpret_cast<void*>(begin), end - begin, MADV_HUGEPAGE);
+#endif
+}
+
 // Makes room in an empty mesh for a surface that fillSurface then writes.
 // Throws std::bad_alloc. Several meshes may be allocated at the same time.
 template <class TriMesh>
 void allocateSurface(std::size_t vertexCount, std::size_t faceCount, TriMesh& out) {
+	out.vert.reserve(vertexCount);
+	out.face.reserve(faceCount);
+	adviseHugePages(out.vert.data(), vertexCount * sizeof(typename TriMesh::VertexType));
+	adviseHugePages(out.face.data(), faceCount * sizeof(typename TriMesh::FaceType));
 	vcg::tri::Allocator<TriMesh>::AddVertices(out, vertexCount);
 	vcg::tri::Allocator<TriMesh>::AddFaces(out, faceCount);
 }
@@ -221,9 +256,9 @@ Status fillSurface(const std::vector<Point>& points, const std::vector<IndexedTr
 			out.vert[i].N() = toCoordinate<TriMesh>(direction(normalSums[i]));
 		}
 	};
-	// Each range passes over all faces: few ranges, but enough for the threads of a desktop.
-	constexpr std::size_t kRanges = 8;
-	const std::size_t vertexGrain = std::max(kElementGrain, points.size() / kRanges + 1);
+	// Each range passes over all faces, so there is one for each thread; the sums do not depend on
+	// the ranges.
+	const std::size_t vertexGrain = std::max(kElementGrain, points.size() / threadCount() + 1);
 	Status status = parallelFor(points.size(), vertexGrain, 0, monitor, writeVertices);
 	if (!status.ok())
 		return status;
