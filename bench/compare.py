@@ -122,19 +122,16 @@ def run_peer(args, name, case, arrays):
     return peer
 
 
-def measure(args, cases):
-    rows = []
-    for case in cases:
-        arrays = args.out / "arrays"
-        row = {"case": case.title(), "operation": case.operation, "peers": {}}
-        print(f"{row['case']}: core", end="", file=sys.stderr, flush=True)
-        row["core"] = run_core(args, case, arrays)
-        for name in args.peers:
-            print(f", {name}", end="", file=sys.stderr, flush=True)
-            row["peers"][name] = run_peer(args, name, case, arrays)
-        print(file=sys.stderr)
-        rows.append(row)
-    return rows
+def measure(args, case):
+    arrays = args.out / "arrays"
+    row = {"case": case.title(), "operation": case.operation, "peers": {}}
+    print(f"{row['case']}: core", end="", file=sys.stderr, flush=True)
+    row["core"] = run_core(args, case, arrays)
+    for name in args.peers:
+        print(f", {name}", end="", file=sys.stderr, flush=True)
+        row["peers"][name] = run_peer(args, name, case, arrays)
+    print(file=sys.stderr)
+    return row
 
 
 def duration(seconds):
@@ -265,7 +262,10 @@ def select_cases(args):
         cases += mesh_cases(Path(folder).resolve())
     else:
         print("INDEXBOOLEAN_MESHES is not set: only generated spheres", file=sys.stderr)
-    return [case for case in cases if args.cases in case.title()]
+    cases = [case for case in cases if args.cases in case.title()]
+    if not cases:
+        sys.exit(f"no case has {args.cases!r} in its title")
+    return cases
 
 
 def main():
@@ -277,11 +277,14 @@ def main():
         "runs": args.runs, "limit": args.limit,
     }
     args.out.mkdir(parents=True, exist_ok=True)
-    rows = measure(args, select_cases(args))
-    text = report(machine, rows, args.peers)
-    results = {"machine": machine, "rows": rows}
-    (args.out / "compare.json").write_text(json.dumps(results, indent=1) + "\n")
-    (args.out / "compare.md").write_text(text)
+    rows = []
+    for case in select_cases(args):
+        rows.append(measure(args, case))
+        # After every case, so that a run that is ended early leaves what it has.
+        results = json.dumps({"machine": machine, "rows": rows}, indent=1)
+        (args.out / "compare.json").write_text(results + "\n", encoding="utf-8")
+        text = report(machine, rows, args.peers)
+        (args.out / "compare.md").write_text(text, encoding="utf-8")
     print(text)
     return 0
 
