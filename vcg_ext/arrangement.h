@@ -45,7 +45,7 @@ enum class PointKind : std::uint8_t {
 
 struct PointName {
 	PointKind kind;
-	std::uint8_t axis;  // EdgeEdge: a projection in which the edges are not parallel; no part of the name
+	std::uint8_t axis;  // EdgeEdge: where the edges are not parallel; not a part of the name
 	std::array<std::uint32_t, 4> ids;
 
 	friend bool operator==(const PointName& a, const PointName& b) {
@@ -72,8 +72,8 @@ struct FaceSegment {
 	SegmentId segment;
 };
 
-// A line inside a face that its pieces must respect but that parts nothing: a diagonal of a coplanar
-// overlap, by which both operands' pieces there are the same triangles.
+// A line inside a face that its pieces must respect but that parts nothing: a diagonal of a
+// coplanar overlap, by which both operands' pieces there are the same triangles.
 struct FaceDiagonal {
 	FaceId face;
 	VertexId begin, end;
@@ -88,11 +88,11 @@ struct CutEdge {
 	std::uint32_t firstInterval;
 };
 
-// The points of contact, the edges they lie on, and the segments between them. New points are sorted
-// by name, cut edges by their vertices, segments by their first pair of faces.
+// The points of contact, the edges they lie on, and the segments between them. New points are
+// sorted by name, cut edges by their vertices, segments by their first pair of faces.
 struct Curve {
-	std::vector<PointName> names;  // of the new points
-	std::vector<Point> rounded;    // their coordinates, correctly rounded to double
+	std::vector<PointName> names;       // of the new points
+	std::vector<Point> rounded;         // their coordinates, correctly rounded to double
 	std::vector<std::uint8_t> onOther;  // per input vertex: it lies on the other operand
 	std::vector<FaceId> touchedFaces;   // sorted
 	std::vector<CutEdge> cutEdges;
@@ -127,12 +127,12 @@ struct SegmentSide {
 struct Refinement {
 	std::vector<CutFace> cutFaces;  // sorted by face
 	std::vector<Triangle> pieces;
-	std::vector<NodeId> pieceRegion;           // per piece
-	std::vector<SegmentSide> sides;            // sorted by segment, then by face
-	std::vector<std::array<NodeId, 2>> links;  // nodes that have one label: (region, other)
-	std::vector<std::array<NodeId, 2>> cornerLinks;  // (region, corner of its face on the other operand)
+	std::vector<NodeId> pieceRegion;                 // per piece
+	std::vector<SegmentSide> sides;                  // sorted by segment, then by face
+	std::vector<std::array<NodeId, 2>> links;        // nodes that have one label: (region, other)
+	std::vector<std::array<NodeId, 2>> cornerLinks;  // (region, corner on the other operand)
 	std::uint32_t nodeCount = 0;
-	std::vector<std::uint8_t> isCut;           // per face: it is one of cutFaces
+	std::vector<std::uint8_t> isCut;  // per face: it is one of cutFaces
 };
 
 // Where an element of one operand lies with respect to the other. On*: a piece of a face that lies
@@ -140,7 +140,7 @@ struct Refinement {
 enum class Label : std::uint8_t { Outside, Inside, OnSame, OnOpposite, OnVertex, Unused, Unknown };
 
 struct Labels {
-	std::vector<Label> vertex;  // per input vertex: Outside, Inside, OnVertex, or Unused by any face
+	std::vector<Label> vertex;  // per input vertex: Outside, Inside, OnVertex or Unused
 	std::vector<Label> piece;   // per piece: the first four
 	std::array<std::uint32_t, 2> components{};  // vertex-connected components of each operand
 };
@@ -164,7 +164,7 @@ struct Arrangement {
 	std::vector<Loop> loops;
 	LoopCounts loopCounts;
 	Labels labels;
-	std::vector<StageTime> stageTimes;     // in the order of the stages
+	std::vector<StageTime> stageTimes;  // in the order of the stages
 
 	// The index of a face in its operand's triangles as given. faceGiven is empty while no face has
 	// been dropped or split.

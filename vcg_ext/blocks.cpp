@@ -18,8 +18,8 @@ namespace {
 
 constexpr std::size_t kGrain = 1 << 15;
 
-// What becomes of the faces of one operand that have one label. A symmetric difference is two solids
-// that share the curve: each has its own copy of the curve's points.
+// What becomes of the faces of one operand that have one label. A symmetric difference is two
+// solids that share the curve: each has its own copy of the curve's points.
 struct Rule {
 	bool kept;
 	bool turned;
@@ -52,8 +52,7 @@ double roundedToFloat(const ExactPoint& point, std::size_t axis) {
 		return static_cast<double>(nearest);
 	}
 	const double towards = value > static_cast<double>(nearest) ? HUGE_VAL : -HUGE_VAL;
-	const double next =
-	    static_cast<double>(std::nextafter(nearest, static_cast<float>(towards)));
+	const double next = static_cast<double>(std::nextafter(nearest, static_cast<float>(towards)));
 	if (value - static_cast<double>(nearest) != next - value) {
 		return static_cast<double>(nearest);
 	}
@@ -94,8 +93,8 @@ private:
 		return rule(static_cast<std::size_t>(arrangement_.mesh.operandOf(makeId<FaceTag>(face))),
 		            at(arrangement_.labels.vertex, corner));
 	}
-	// Two copies of the curve's points keep the parts of a symmetric difference apart, unless a wall
-	// between them is taken away.
+	// Two copies of the curve's points keep the parts of a symmetric difference apart, unless a
+	// wall between them is taken away.
 	std::size_t copyOf(const Rule& rule) const { return oneCopy_ ? 0 : rule.curveCopy; }
 	bool keepsFace(std::size_t face) const {
 		return arrangement_.refinement.isCut[face] == 0 && uncutRule(face).kept;
@@ -109,8 +108,8 @@ private:
 	const Rule (&rules_)[2][4];
 	Monitor& monitor_;
 	Block& out_;
-	// Per copy, per input vertex and curve point: its place in the block, if it is kept. Vertices off
-	// the curve have their place in the first copy.
+	// Per copy, per input vertex and curve point: its place in the block, if it is kept. Vertices
+	// off the curve have their place in the first copy.
 	std::array<std::vector<std::uint32_t>, 2> newIndex_;
 	bool oneCopy_ = false;
 };
@@ -219,9 +218,8 @@ void Collector::addCurvePoints() {
 
 void Collector::write(std::size_t slot, const std::array<std::uint32_t, 3>& corners, FaceId face,
                       bool turned) {
-	out_.triangles[slot] = turned
-	                           ? std::array<std::uint32_t, 3>{corners[0], corners[2], corners[1]}
-	                           : corners;
+	out_.triangles[slot] =
+	    turned ? std::array<std::uint32_t, 3>{corners[0], corners[2], corners[1]} : corners;
 	out_.faceSource[slot] = {face, turned};
 }
 
@@ -243,8 +241,7 @@ Status Collector::collectFaces() {
 			    if (keepsFace(face)) {
 				    const Triangle& t = arrangement_.mesh.triangles[face];
 				    write(slot++,
-				          {at(newIndex_[0], t[0]), at(newIndex_[0], t[1]),
-				           at(newIndex_[0], t[2])},
+				          {at(newIndex_[0], t[0]), at(newIndex_[0], t[1]), at(newIndex_[0], t[2])},
 				          makeId<FaceTag>(face), uncutRule(face).turned);
 			    }
 		    }
@@ -280,11 +277,16 @@ Status Collector::run() {
 
 const char* operationName(Operation operation) {
 	switch (operation) {
-	case Operation::Union: return "union";
-	case Operation::Intersection: return "intersection";
-	case Operation::FirstMinusSecond: return "first_minus_second";
-	case Operation::SecondMinusFirst: return "second_minus_first";
-	case Operation::SymmetricDifference: return "symmetric_difference";
+	case Operation::Union:
+		return "union";
+	case Operation::Intersection:
+		return "intersection";
+	case Operation::FirstMinusSecond:
+		return "first_minus_second";
+	case Operation::SecondMinusFirst:
+		return "second_minus_first";
+	case Operation::SymmetricDifference:
+		return "symmetric_difference";
 	}
 	return "";
 }

@@ -73,8 +73,7 @@ BoundedPair operator*(BoundedPair a, BoundedPair b) {
 	const double high = quickTwoSum(product, productError + cross, low);
 	const double sizeA = std::fabs(a.high) + std::fabs(a.low);
 	const double sizeB = std::fabs(b.high) + std::fabs(b.low);
-	BoundedPair result =
-	    withRoundoff(high, low, sizeA * b.bound + a.bound * (sizeB + b.bound));
+	BoundedPair result = withRoundoff(high, low, sizeA * b.bound + a.bound * (sizeB + b.bound));
 	result.bound += kUnderflow;
 	return result;
 }
@@ -177,9 +176,9 @@ double roundedQuotient(const Dyadic& numerator, const Dyadic& denominator) {
 	auto kept = static_cast<std::uint64_t>(Integer(quotient >> drop));
 	kept += half && (sticky || (kept & 1) != 0) ? 1 : 0;
 	exponent += lowestKept;
-	const double size = exponent > 2000 ? std::numeric_limits<double>::infinity()
-	                                    : std::ldexp(static_cast<double>(kept),
-	                                                 static_cast<int>(exponent));
+	const double size = exponent > 2000
+	                        ? std::numeric_limits<double>::infinity()
+	                        : std::ldexp(static_cast<double>(kept), static_cast<int>(exponent));
 	return negative ? -size : size;
 }
 

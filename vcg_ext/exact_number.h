@@ -36,7 +36,9 @@ struct Bounded {
 	Bounded(double v, double b) : value(v), bound(b) {}
 
 	// The correctly rounded value of an exact number.
-	static Bounded fromRounded(double v) { return {v, std::fabs(v) * kRoundoff * kGrow + kUnderflow}; }
+	static Bounded fromRounded(double v) {
+		return {v, std::fabs(v) * kRoundoff * kGrow + kUnderflow};
+	}
 
 	bool isZero() const { return value == 0 && bound == 0; }
 	int sign() const;

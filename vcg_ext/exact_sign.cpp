@@ -86,7 +86,8 @@ template <class N>
 Quotient<N> quotient(const ExactPoint& p) {
 	const auto& by = p.by;
 	switch (p.form) {
-	case ExactPoint::Form::Explicit: break;
+	case ExactPoint::Form::Explicit:
+		break;
 	case ExactPoint::Form::LinePlane: {
 		const N first = orient3dValue<N>(*by[2], *by[3], *by[4], *by[0]);
 		const N second = orient3dValue<N>(*by[2], *by[3], *by[4], *by[1]);
@@ -97,7 +98,8 @@ Quotient<N> quotient(const ExactPoint& p) {
 		const N second = orient2dValue<N>(*by[2], *by[3], *by[1], p.axis);
 		return onLine<N>(*by[0], *by[1], first, first - second);
 	}
-	case ExactPoint::Form::ThreePlanes: return meetOfThreePlanes<N>(by);
+	case ExactPoint::Form::ThreePlanes:
+		return meetOfThreePlanes<N>(by);
 	}
 	return {by[0], {N(0), N(0), N(0)}, N(1)};
 }
@@ -174,13 +176,11 @@ int orient3d(const Point& a, const Point& b, const Point& c, const Point& p) {
 	if (const int sign = orient3dBounded(a, b, c, p).sign(); sign != kUnknownSign) {
 		return sign;
 	}
-	return decideSign([&](auto tag) {
-		return orient3dValue<typename decltype(tag)::Type>(a, b, c, p).sign();
-	});
+	return decideSign(
+	    [&](auto tag) { return orient3dValue<typename decltype(tag)::Type>(a, b, c, p).sign(); });
 }
 
-int exactVolumeSign(const std::vector<Point>& points, const Triangle* begin,
-                    const Triangle* end) {
+int exactVolumeSign(const std::vector<Point>& points, const Triangle* begin, const Triangle* end) {
 	const Point origin{};
 	Dyadic sum(0.0);
 	for (const Triangle* t = begin; t != end; ++t) {
@@ -309,8 +309,8 @@ int projectionAxis(const Triangle& triangle, const std::vector<Point>& points, i
 		return size[static_cast<std::size_t>(i)] > size[static_cast<std::size_t>(j)];
 	});
 	for (const int axis : axes) {
-		sign = orient2d(at(points, triangle[0]), at(points, triangle[1]),
-		                at(points, triangle[2]), axis);
+		sign = orient2d(at(points, triangle[0]), at(points, triangle[1]), at(points, triangle[2]),
+		                axis);
 		if (sign != 0) {
 			return axis;
 		}

@@ -26,9 +26,9 @@ struct Id {
 	friend constexpr bool operator<(Id a, Id b) { return a.value < b.value; }
 };
 
-using VertexId = Id<struct VertexTag>;    // an input vertex, or a point of the curve (numbered after)
-using FaceId = Id<struct FaceTag>;        // an input face
-using PointId = Id<struct PointTag>;      // a point of the curve; its VertexId is vertexCount + value
+using VertexId = Id<struct VertexTag>;  // an input vertex, or a point of the curve (numbered after)
+using FaceId = Id<struct FaceTag>;      // an input face
+using PointId = Id<struct PointTag>;    // a point of the curve; its VertexId is vertexCount + value
 using SegmentId = Id<struct SegmentTag>;  // one edge of the intersection curve
 
 using Point = std::array<double, 3>;

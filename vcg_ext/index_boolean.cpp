@@ -106,12 +106,9 @@ double largestLawResidual(const std::array<double, 2>& operand, const BlockVolum
 	const double secondOnly = of(Operation::SecondMinusFirst);
 	const double one = of(Operation::SymmetricDifference);
 	const double laws[] = {
-	    either + both - operand[0] - operand[1],
-	    firstOnly + both - operand[0],
-	    secondOnly + both - operand[1],
-	    either - firstOnly - operand[1],
-	    either - secondOnly - operand[0],
-	    one - firstOnly - secondOnly,
+	    either + both - operand[0] - operand[1],  firstOnly + both - operand[0],
+	    secondOnly + both - operand[1],           either - firstOnly - operand[1],
+	    either - secondOnly - operand[0],         one - firstOnly - secondOnly,
 	    one + 2 * both - operand[0] - operand[1],
 	};
 	double most = 0;
@@ -133,7 +130,8 @@ Status arrange(MeshArrays input, const Options& options, Monitor& monitor, Arran
 		Contacts contacts;
 		Stages stages(monitor, out.stageTimes);
 		stages.run("operands", 0.25, [&] { return prepareOperands(out, monitor); });
-		stages.run("octree_pairs", 0.25, [&] { return findPairs(out.mesh, options, monitor, pairs); });
+		stages.run("octree_pairs", 0.25,
+		           [&] { return findPairs(out.mesh, options, monitor, pairs); });
 		stages.run("triangle_contact", 0.15,
 		           [&] { return findContacts(out, pairs, monitor, contacts); });
 		stages.run("weld", 0.1, [&] { return weldPoints(out, contacts, monitor); });
@@ -163,8 +161,8 @@ Status audit(const Arrangement& arrangement, const std::vector<Block>& blocks, M
 		BlockVolumes volumes;
 		volumes.fill(std::nan(""));
 		for (std::size_t i = 0; i < blocks.size(); ++i) {
-			const BlockMeasure measure = measureSurface(blocks[i].points, blocks[i].triangles,
-			                                            arrangement.options.threads);
+			const BlockMeasure measure =
+			    measureSurface(blocks[i].points, blocks[i].triangles, arrangement.options.threads);
 			volumes[static_cast<std::size_t>(blocks[i].operation)] = measure.volume;
 			out.blocks.push_back(measure);
 			if (!measure.closed) {

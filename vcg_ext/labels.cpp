@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // A class is a set of vertices, edge intervals and regions of touched faces that no segment parts.
-// Every segment labels the classes beside it; every class with a vertex off the other operand gets a
-// winding number from a ray as well, and so does each that no segment bounds.
+// Every segment labels the classes beside it; every class with a vertex off the other operand gets
+// a winding number from a ray as well, and so does each that no segment bounds.
 #include "labels.h"
 
 #include "exact_sign.h"
@@ -46,9 +46,7 @@ private:
 	bool isFreeVertex(std::uint32_t v) const {
 		return arrangement_.labels.vertex[v] == Label::Unknown;
 	}
-	int operandOfRegion(NodeId region) const {
-		return region < firstRegionOfSecond_ ? 0 : 1;
-	}
+	int operandOfRegion(NodeId region) const { return region < firstRegionOfSecond_ ? 0 : 1; }
 	std::uint32_t nodeOf(FaceId face) const;
 	std::uint32_t componentOf(FaceId face) const { return components_.root(nodeOf(face)); }
 
@@ -56,8 +54,8 @@ private:
 	const MeshArrays& mesh_;
 	const Refinement& refinement_;
 	Monitor& monitor_;
-	UnionFind nodes_;           // sets: the classes
-	UnionFind components_{0};   // over nodes; sets: the operands' components
+	UnionFind nodes_;          // sets: the classes
+	UnionFind components_{0};  // over nodes; sets: the operands' components
 	NodeId firstRegionOfSecond_ = NodeId::none();
 	std::vector<Label> label_;  // per class root
 };
@@ -67,9 +65,8 @@ std::uint32_t Labeller::nodeOf(FaceId face) const {
 	if (at(refinement_.isCut, face) == 0) {
 		return at(mesh_.triangles, face)[0].value;
 	}
-	const auto cut =
-	    std::lower_bound(refinement_.cutFaces.begin(), refinement_.cutFaces.end(), face,
-	                     [](const CutFace& c, FaceId f) { return c.face < f; });
+	const auto cut = std::lower_bound(refinement_.cutFaces.begin(), refinement_.cutFaces.end(),
+	                                  face, [](const CutFace& c, FaceId f) { return c.face < f; });
 	return refinement_.pieceRegion[cut->firstPiece].value;
 }
 
@@ -162,13 +159,13 @@ void Labeller::findComponents() {
 
 // Numbers the components of one operand in the order of their first faces.
 struct ComponentList {
-	std::vector<std::uint32_t> ofFace;          // per face of the operand
-	std::vector<std::vector<FaceId>> samples;   // per component: a few of its faces
+	std::vector<std::uint32_t> ofFace;         // per face of the operand
+	std::vector<std::vector<FaceId>> samples;  // per component: a few of its faces
 };
 
 template <class ComponentOf>
-ComponentList listComponents(const MeshArrays& mesh, std::size_t operand,
-                             std::size_t nodeCount, ComponentOf&& componentOf) {
+ComponentList listComponents(const MeshArrays& mesh, std::size_t operand, std::size_t nodeCount,
+                             ComponentOf&& componentOf) {
 	constexpr std::size_t kSamples = 4;
 	ComponentList list;
 	std::vector<std::uint32_t> number(nodeCount, 0xffffffffu);
@@ -194,10 +191,8 @@ std::uint32_t Labeller::countComponents(std::size_t operand) const {
 	}
 	std::vector<std::uint32_t> others;
 	for (const CutFace& cut : refinement_.cutFaces) {
-		const std::uint32_t root =
-		    components_.root(refinement_.pieceRegion[cut.firstPiece].value);
-		if (mesh_.operandOf(cut.face) == static_cast<int>(operand) &&
-		    root >= mesh_.points.size()) {
+		const std::uint32_t root = components_.root(refinement_.pieceRegion[cut.firstPiece].value);
+		if (mesh_.operandOf(cut.face) == static_cast<int>(operand) && root >= mesh_.points.size()) {
 			others.push_back(root);
 		}
 	}
@@ -242,8 +237,8 @@ std::vector<int> volumeSigns(const MeshArrays& mesh, std::size_t operand,
 	}
 	for (std::size_t c = 0; c < componentCount; ++c) {
 		if (signs[c] == kUnknownSign) {
-			signs[c] = exactVolumeSign(mesh.points, unsure[c].data(),
-			                           unsure[c].data() + unsure[c].size());
+			signs[c] =
+			    exactVolumeSign(mesh.points, unsure[c].data(), unsure[c].data() + unsure[c].size());
 		}
 	}
 	return signs;
@@ -297,8 +292,8 @@ Status Labeller::checkNesting(std::size_t operand) {
 	if (arrangement_.labels.components[operand] < 2) {
 		return {};
 	}
-	const ComponentList list = listComponents(mesh_, operand, nodes_.size(),
-	                                          [this](FaceId f) { return componentOf(f); });
+	const ComponentList list =
+	    listComponents(mesh_, operand, nodes_.size(), [this](FaceId f) { return componentOf(f); });
 	std::vector<RayQuery> queries(list.samples.size());
 	for (std::size_t c = 0; c < queries.size(); ++c) {
 		queries[c].from = at(mesh_.triangles, list.samples[c][0])[0];
@@ -388,8 +383,8 @@ Status Labeller::labelBesides(std::size_t first, std::size_t last) {
 	}
 	for (std::size_t i = 0; i < halfPlanes.size() && status.ok(); ++i) {
 		const bool onFirst = mesh_.operandOf(halfPlanes[i].face) == 0;
-		status = setLabel(halfPlanes[i].region, halfPlanes[i].label,
-		                  onFirst ? segment.b : segment.a);
+		status =
+		    setLabel(halfPlanes[i].region, halfPlanes[i].label, onFirst ? segment.b : segment.a);
 	}
 	return status;
 }
@@ -423,15 +418,15 @@ Status Labeller::labelClasses(std::size_t operand, std::vector<RayQuery>& querie
 		if (query.onSurface || query.winding < 0 || query.winding > 1) {
 			status.code = StatusCode::SelfIntersecting;
 		} else {
-			status = setLabel(node, query.winding == 1 ? Label::Inside : Label::Outside,
-			                  FaceId::none());
+			status =
+			    setLabel(node, query.winding == 1 ? Label::Inside : Label::Outside, FaceId::none());
 		}
 		if (status.code == StatusCode::SelfIntersecting) {
 			// Which of the other operand's faces are to blame is not known: all are shown.
 			status.operand = static_cast<int>(1 - operand);
 			std::vector<FaceId> faces;
-			for (std::uint32_t f = mesh_.faceBegin[1 - operand];
-			     f < mesh_.faceBegin[2 - operand]; ++f) {
+			for (std::uint32_t f = mesh_.faceBegin[1 - operand]; f < mesh_.faceBegin[2 - operand];
+			     ++f) {
 				faces.push_back({f});
 			}
 			finish(arrangement_, status, faces);
@@ -442,12 +437,13 @@ Status Labeller::labelClasses(std::size_t operand, std::vector<RayQuery>& querie
 	return status;
 }
 
-// A ray for every class that has a vertex off the other operand: its root, the smallest node, is then
-// one. And for every class without a label, which has a whole face since no segment bounds it.
+// A ray for every class that has a vertex off the other operand: its root, the smallest node, is
+// then one. And for every class without a label, which has a whole face since no segment bounds it.
 Status Labeller::labelByRays() {
 	for (std::size_t operand = 0; operand < 2; ++operand) {
 		std::vector<RayQuery> queries;
-		for (std::uint32_t v = mesh_.vertexBegin[operand]; v < mesh_.vertexBegin[operand + 1]; ++v) {
+		for (std::uint32_t v = mesh_.vertexBegin[operand]; v < mesh_.vertexBegin[operand + 1];
+		     ++v) {
 			if (isFreeVertex(v) && nodes_.root(v) == v) {
 				queries.emplace_back();
 				queries.back().from = {v};
@@ -455,8 +451,7 @@ Status Labeller::labelByRays() {
 		}
 		std::vector<std::uint32_t> asked;
 		for (const CutFace& cut : refinement_.cutFaces) {
-			const std::uint32_t root =
-			    nodes_.root(refinement_.pieceRegion[cut.firstPiece].value);
+			const std::uint32_t root = nodes_.root(refinement_.pieceRegion[cut.firstPiece].value);
 			const bool isOwn = mesh_.operandOf(cut.face) == static_cast<int>(operand);
 			if (isOwn && root >= mesh_.points.size() && label_[root] == Label::Unknown) {
 				label_[root] = Label::Unused;  // asked for: once is enough

@@ -12,7 +12,8 @@ namespace index_boolean {
 
 namespace {
 
-// The segments at each point of the curve, in one array. Points are vertices, numbered densely here.
+// The segments at each point of the curve, in one array. Points are vertices, numbered densely
+// here.
 class Incidence {
 public:
 	explicit Incidence(const Curve& curve) : curve_(curve), segments_(2 * curve.segments.size()) {
@@ -42,7 +43,9 @@ public:
 		const std::size_t p = index(v);
 		return first_[p + 1] - first_[p];
 	}
-	SegmentId segment(VertexId v, std::uint32_t i) const { return {segments_[first_[index(v)] + i]}; }
+	SegmentId segment(VertexId v, std::uint32_t i) const {
+		return {segments_[first_[index(v)] + i]};
+	}
 	VertexId otherEnd(SegmentId s, VertexId v) const {
 		const Segment& segment = at(curve_.segments, s);
 		return segment.begin == v ? segment.end : segment.begin;
@@ -50,8 +53,8 @@ public:
 
 private:
 	std::size_t index(VertexId v) const {
-		return static_cast<std::size_t>(
-		    std::lower_bound(points_.begin(), points_.end(), v) - points_.begin());
+		return static_cast<std::size_t>(std::lower_bound(points_.begin(), points_.end(), v) -
+		                                points_.begin());
 	}
 
 	const Curve& curve_;
@@ -87,9 +90,15 @@ Loop walk(const Incidence& incidence, VertexId start, SegmentId segment,
 
 void count(LoopKind kind, LoopCounts& counts) {
 	switch (kind) {
-	case LoopKind::Open: ++counts.open; break;
-	case LoopKind::HardClosed: ++counts.hardClosed; break;
-	case LoopKind::SoftClosed: ++counts.softClosed; break;
+	case LoopKind::Open:
+		++counts.open;
+		break;
+	case LoopKind::HardClosed:
+		++counts.hardClosed;
+		break;
+	case LoopKind::SoftClosed:
+		++counts.softClosed;
+		break;
 	}
 }
 

@@ -13,8 +13,8 @@
 namespace index_boolean {
 
 // Operand k has the vertices [vertexBegin[k], vertexBegin[k + 1]) and the faces
-// [faceBegin[k], faceBegin[k + 1]). Triangles hold global vertex ids. Once welded, faces of the second
-// operand may use vertices of the first, where both have one in the same place.
+// [faceBegin[k], faceBegin[k + 1]). Triangles hold global vertex ids. Once welded, faces of the
+// second operand may use vertices of the first, where both have one in the same place.
 struct MeshArrays {
 	std::vector<Point> points;
 	std::vector<Triangle> triangles;

@@ -62,8 +62,8 @@ StatusCode cornerDefect(const MeshArrays& mesh, std::size_t face) {
 		return StatusCode::IndexOutOfRange;
 	}
 	const Triangle& t = mesh.triangles[face];
-	const bool finite = std::all_of(t.begin(), t.end(),
-	                                [&](VertexId v) { return isFinite(at(mesh.points, v)); });
+	const bool finite =
+	    std::all_of(t.begin(), t.end(), [&](VertexId v) { return isFinite(at(mesh.points, v)); });
 	return finite ? StatusCode::Ok : StatusCode::NotFinite;
 }
 
@@ -169,8 +169,8 @@ private:
 	std::vector<std::uint32_t> slots_;
 };
 
-// Replaces each corner by the first vertex with the same coordinates, of the first operand if it has
-// one: where vertices of both coincide, they are one vertex from here on.
+// Replaces each corner by the first vertex with the same coordinates, of the first operand if it
+// has one: where vertices of both coincide, they are one vertex from here on.
 Status weldCorners(MeshArrays& mesh, int threads, Monitor& monitor) {
 	std::vector<VertexId> canonical(mesh.points.size());
 	std::array<VertexTable, 2> tables;
@@ -208,9 +208,7 @@ Status weldCorners(MeshArrays& mesh, int threads, Monitor& monitor) {
 	                   });
 }
 
-bool hasEqualCorners(const Triangle& t) {
-	return t[0] == t[1] || t[1] == t[2] || t[2] == t[0];
-}
+bool hasEqualCorners(const Triangle& t) { return t[0] == t[1] || t[1] == t[2] || t[2] == t[0]; }
 
 // Faces with two equal corners go: their edges cancel, so closedness stays as it is.
 Status dropCollapsedFaces(Arrangement& arrangement) {
@@ -320,14 +318,13 @@ Status checkClosed(const Arrangement& arrangement, Monitor& monitor) {
 		UnmatchedEdges found;
 		findUnmatchedEdges(begin, end, found);
 		const bool open = found.borderEdges > 0;
-		status = failure(open ? StatusCode::NotClosed : StatusCode::NotOriented,
-		                 static_cast<int>(operand),
-		                 open ? found.borderEdges : found.conflictingEdges);
+		status =
+		    failure(open ? StatusCode::NotClosed : StatusCode::NotOriented,
+		            static_cast<int>(operand), open ? found.borderEdges : found.conflictingEdges);
 		status.hasPlace = true;
 		status.place = at(mesh.points, found.firstEdge[0]);
 		for (const std::uint32_t face : found.faces) {
-			status.faces.push_back(
-			    arrangement.givenFace({face + mesh.faceBegin[operand]}));
+			status.faces.push_back(arrangement.givenFace({face + mesh.faceBegin[operand]}));
 		}
 		return status;
 	}
@@ -347,20 +344,21 @@ Status sumVolume(const Arrangement& arrangement, std::size_t operand, Monitor& m
 	const std::size_t count = mesh.faceBegin[operand + 1] - first;
 	const Point& reference = at(mesh.points, mesh.triangles[first][0]);
 	std::vector<VolumeSum> sums(chunkCount(count, kGrain));
-	const Status status = parallelForChunks(
-	    count, kGrain, arrangement.options.threads, monitor,
-	    [&](std::size_t chunk, std::size_t begin, std::size_t end) {
-		    VolumeSum sum;
-		    for (std::size_t face = first + begin; face < first + end; ++face) {
-			    const Triangle& t = mesh.triangles[face];
-			    const Bounded term = orient3dBounded(at(mesh.points, t[0]), at(mesh.points, t[1]),
-			                                         at(mesh.points, t[2]), reference);
-			    sum.value -= term.value;
-			    // Each of the partial sums is rounded once more.
-			    sum.bound += term.bound + 2 * kRoundoff * std::fabs(sum.value);
-		    }
-		    sums[chunk] = sum;
-	    });
+	const Status status =
+	    parallelForChunks(count, kGrain, arrangement.options.threads, monitor,
+	                      [&](std::size_t chunk, std::size_t begin, std::size_t end) {
+		                      VolumeSum sum;
+		                      for (std::size_t face = first + begin; face < first + end; ++face) {
+			                      const Triangle& t = mesh.triangles[face];
+			                      const Bounded term =
+			                          orient3dBounded(at(mesh.points, t[0]), at(mesh.points, t[1]),
+			                                          at(mesh.points, t[2]), reference);
+			                      sum.value -= term.value;
+			                      // Each of the partial sums is rounded once more.
+			                      sum.bound += term.bound + 2 * kRoundoff * std::fabs(sum.value);
+		                      }
+		                      sums[chunk] = sum;
+	                      });
 	for (const VolumeSum& sum : sums) {
 		out.value += sum.value;
 		out.bound += sum.bound + 2 * kRoundoff * std::fabs(out.value);

@@ -63,7 +63,7 @@ private:
 
 	const PlanarOrientation& orientation_;
 	std::vector<std::array<std::uint32_t, 3>>& triangles_;
-	std::vector<ActiveEdge> edges_;           // sorted by left end, then upwards
+	std::vector<ActiveEdge> edges_;             // sorted by left end, then upwards
 	std::vector<std::uint32_t> firstOutgoing_;  // per point, into edges_; one past the end last
 	std::vector<std::uint32_t> anyIncoming_;    // per point, an edge that ends there, or kNone
 	std::vector<Link> links_;
@@ -71,8 +71,7 @@ private:
 };
 
 Sweep::Sweep(std::uint32_t pointCount, const std::vector<PlanarEdge>& edges,
-             const PlanarOrientation& orientation,
-             std::vector<std::array<std::uint32_t, 3>>& out)
+             const PlanarOrientation& orientation, std::vector<std::array<std::uint32_t, 3>>& out)
     : orientation_(orientation), triangles_(out), edges_(edges.size()),
       firstOutgoing_(pointCount + 1, 0), anyIncoming_(pointCount, kNone) {
 	for (const PlanarEdge& e : edges) {
@@ -129,7 +128,8 @@ bool Sweep::run() {
 	return status_.empty();
 }
 
-// The lowest edge above a point that no edge ends at. False if the point lies on an edge or outside.
+// The lowest edge above a point that no edge ends at. False if the point lies on an edge or
+// outside.
 bool Sweep::findInterval(std::uint32_t point, Status::iterator& upper) const {
 	bool onEdge = false;
 	const auto isBelow = [this, &onEdge](std::uint32_t p, const ActiveEdge& e) {
@@ -142,9 +142,9 @@ bool Sweep::findInterval(std::uint32_t point, Status::iterator& upper) const {
 	return !onEdge && upper != status.begin() && upper != status.end();
 }
 
-// Takes out the edges that end at the point, from the lowest, `it`, upwards, and fills the intervals
-// between them. Leaves `it` above them; the chain above the highest goes to upperChain if there is
-// an interval above it. False if the point does not see what it should.
+// Takes out the edges that end at the point, from the lowest, `it`, upwards, and fills the
+// intervals between them. Leaves `it` above them; the chain above the highest goes to upperChain if
+// there is an interval above it. False if the point does not see what it should.
 bool Sweep::closeIncoming(std::uint32_t point, Status::iterator& it, Chain& upperChain,
                           bool& hasUpper) {
 	while (it != status_.end() && it->edge.right == point) {

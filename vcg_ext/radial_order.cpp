@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Index Boolean authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A half-plane has a witness: a corner of its face strictly on its side of the segment's line. Angles
-// are compared by the side of one half-plane's plane on which another's witness lies.
+// A half-plane has a witness: a corner of its face strictly on its side of the segment's line.
+// Angles are compared by the side of one half-plane's plane on which another's witness lies.
 #include "radial_order.h"
 
 #include "exact_sign.h"
@@ -20,8 +20,8 @@ struct Ray {
 	int operand;
 	const Triangle* corners;
 	const Point* witness;
-	int axis;        // of the face's projection
-	int sideInPlane; // of the witness, in that projection
+	int axis;         // of the face's projection
+	int sideInPlane;  // of the witness, in that projection
 	int sector = 0;  // from the first half-plane on: 0 same, 1 before opposite, 2 opposite, 3 after
 	std::size_t slot = 0;
 };
@@ -41,8 +41,8 @@ private:
 	int sideInPlane(const Point& p, int axis) const {
 		return orient2d(begin_, end_, ExactPoint::explicitPoint(p), axis);
 	}
-	// Whether the witness of b lies counter-clockwise (+1) or clockwise (-1) of a, by less than half
-	// a turn; 0 in a's plane.
+	// Whether the witness of b lies counter-clockwise (+1) or clockwise (-1) of a, by less than
+	// half a turn; 0 in a's plane.
 	int turnTo(const Ray& a, const Ray& b) const {
 		const std::vector<Point>& points = arrangement_.mesh.points;
 		const int side = orient3d(at(points, (*a.corners)[0]), at(points, (*a.corners)[1]),
@@ -108,8 +108,8 @@ bool RadialOrder::sort(const std::vector<HalfPlane>& halfPlanes) {
 	return true;
 }
 
-// Labels the half-planes of one operand by those of the other: going round, a left half-plane of the
-// other is entered from behind, inside, and left in front, outside; a right one the other way.
+// Labels the half-planes of one operand by those of the other: going round, a left half-plane of
+// the other is entered from behind, inside, and left in front, outside; a right one the other way.
 int RadialOrder::labelOperand(int operand) {
 	std::vector<const Ray*> others;
 	for (const Ray& ray : rays_) {
@@ -135,8 +135,7 @@ int RadialOrder::labelOperand(int operand) {
 			last = other->slot <= ray.slot ? other : last;
 		}
 		if (last->slot == ray.slot) {
-			ray.half.label =
-			    last->half.left == ray.half.left ? Label::OnSame : Label::OnOpposite;
+			ray.half.label = last->half.left == ray.half.left ? Label::OnSame : Label::OnOpposite;
 		} else {
 			ray.half.label = last->half.left ? Label::Outside : Label::Inside;
 		}

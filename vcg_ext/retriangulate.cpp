@@ -144,13 +144,12 @@ private:
 
 const CutEdge* findCutEdge(const Curve& curve, VertexId a, VertexId b) {
 	const std::pair<VertexId, VertexId> key = std::minmax(a, b);
-	const auto it = std::lower_bound(
-	    curve.cutEdges.begin(), curve.cutEdges.end(), key,
-	    [](const CutEdge& e, const std::pair<VertexId, VertexId>& k) {
-		    return e.low != k.first ? e.low < k.first : e.high < k.second;
-	    });
-	const bool found =
-	    it != curve.cutEdges.end() && it->low == key.first && it->high == key.second;
+	const auto it =
+	    std::lower_bound(curve.cutEdges.begin(), curve.cutEdges.end(), key,
+	                     [](const CutEdge& e, const std::pair<VertexId, VertexId>& k) {
+		                     return e.low != k.first ? e.low < k.first : e.high < k.second;
+	                     });
+	const bool found = it != curve.cutEdges.end() && it->low == key.first && it->high == key.second;
 	return found ? &*it : nullptr;
 }
 
@@ -231,9 +230,7 @@ std::uint32_t FaceCutter::rankOf(VertexId id) const {
 	return it->second;
 }
 
-PlanarEdge planarEdge(std::uint32_t a, std::uint32_t b) {
-	return {std::min(a, b), std::max(a, b)};
-}
+PlanarEdge planarEdge(std::uint32_t a, std::uint32_t b) { return {std::min(a, b), std::max(a, b)}; }
 
 void FaceCutter::fixSegments(const FaceLines& lines) {
 	for (const FaceSegment* s = lines.segments; s != lines.segmentsEnd; ++s) {
@@ -316,7 +313,8 @@ void FaceCutter::collectHalfEdges() {
 
 // Joins pieces across edges that are not fixed, and finds the half-edges at those that are. False
 // unless every border edge has one piece, every other edge two that run against each other, and
-// every fixed edge is there. With all pieces turned alike this proves that they cover the face once.
+// every fixed edge is there. With all pieces turned alike this proves that they cover the face
+// once.
 bool FaceCutter::unitePieces() {
 	regionOf_.resize(triangles_.size());
 	std::iota(regionOf_.begin(), regionOf_.end(), 0u);
@@ -364,8 +362,8 @@ void FaceCutter::recordSides() {
 		if (fixed_[f].segment != SegmentId::none()) {
 			const std::uint32_t other = fixed_[f].isBorder ? kNone : regionOf_[h[1].piece];
 			const bool isLeft = h->rising == fixed_[f].rising;
-			out_.sides.push_back({fixed_[f].segment, face_, isLeft ? region : other,
-			                      isLeft ? other : region});
+			out_.sides.push_back(
+			    {fixed_[f].segment, face_, isLeft ? region : other, isLeft ? other : region});
 		} else if (fixed_[f].interval != NodeId::none()) {
 			out_.links.push_back({region, fixed_[f].interval});
 		}

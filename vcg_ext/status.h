@@ -14,18 +14,18 @@ namespace index_boolean {
 
 enum class StatusCode : std::uint8_t {
 	Ok,
-	Cancelled,           // the monitor's callback answered false
-	OutOfMemory,         // an allocation failed; nothing was changed
-	EmptyOperand,        // an operand has no face (left)
-	NotFinite,           // faces with a coordinate that is NaN or infinite
-	IndexOutOfRange,     // faces that name a vertex which does not exist
-	TooLarge,            // more than 2^31 - 1 vertices or faces in all
-	NotClosed,           // edges with one face only (or an odd number of faces)
-	NotOriented,         // closed, but neighbouring faces run the same way along an edge
-	NoVolume,            // closed, but encloses nothing: the signed volume is exactly zero
-	NestedComponents,    // components of one operand inside out, or inside each other's solid
-	SelfIntersecting,    // winding numbers contradict the curve: an operand overlaps itself
-	InternalError,       // a check of our own failed; a defect of this library, never an answer
+	Cancelled,         // the monitor's callback answered false
+	OutOfMemory,       // an allocation failed; nothing was changed
+	EmptyOperand,      // an operand has no face (left)
+	NotFinite,         // faces with a coordinate that is NaN or infinite
+	IndexOutOfRange,   // faces that name a vertex which does not exist
+	TooLarge,          // more than 2^31 - 1 vertices or faces in all
+	NotClosed,         // edges with one face only (or an odd number of faces)
+	NotOriented,       // closed, but neighbouring faces run the same way along an edge
+	NoVolume,          // closed, but encloses nothing: the signed volume is exactly zero
+	NestedComponents,  // components of one operand inside out, or inside each other's solid
+	SelfIntersecting,  // winding numbers contradict the curve: an operand overlaps itself
+	InternalError,     // a check of our own failed; a defect of this library, never an answer
 };
 constexpr int kStatusCodeCount = 13;
 

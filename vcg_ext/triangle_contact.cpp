@@ -28,9 +28,7 @@ public:
 	}
 
 	// False if one face lies strictly on one side of the other's plane: no contact.
-	bool straddle() {
-		return cornersAgainstPlane(0) && cornersAgainstPlane(1);
-	}
+	bool straddle() { return cornersAgainstPlane(0) && cornersAgainstPlane(1); }
 
 	int side(int face, int corner) const { return side_[index(face)][index(corner)]; }
 	FaceId face(int k) const { return face_[index(k)]; }
@@ -43,8 +41,8 @@ public:
 	int edgeAgainstEdge(int i, int j) {
 		int& sign = edges_[index(3 * i + j)];
 		if (sign == kUnknownSign) {
-			const bool common = isCorner(1, corner(0, i), j) ||
-			                    isCorner(1, corner(0, nextCorner(i)), j);
+			const bool common =
+			    isCorner(1, corner(0, i), j) || isCorner(1, corner(0, nextCorner(i)), j);
 			sign = common ? 0
 			              : orient3d(point(0, i), point(0, nextCorner(i)), point(1, j),
 			                         point(1, nextCorner(j)));
@@ -87,10 +85,9 @@ private:
 		const int other = 1 - face;
 		for (int i = 0; i < 3; ++i) {
 			const bool common = cornerAt(other, corner(face, i)) >= 0;
-			side_[index(face)][index(i)] =
-			    common ? 0
-			           : orient3d(point(other, 0), point(other, 1), point(other, 2),
-			                      point(face, i));
+			side_[index(face)][index(i)] = common ? 0
+			                                      : orient3d(point(other, 0), point(other, 1),
+			                                                 point(other, 2), point(face, i));
 		}
 		const Signs& s = side_[index(face)];
 		return !(s[0] == s[1] && s[1] == s[2] && s[0] != 0);
@@ -100,9 +97,8 @@ private:
 	std::array<FaceId, 2> face_;
 	std::array<const Triangle*, 2> corners_{};
 	std::array<Signs, 2> side_{};
-	std::array<int, 9> edges_{kUnknownSign, kUnknownSign, kUnknownSign,
-	                          kUnknownSign, kUnknownSign, kUnknownSign,
-	                          kUnknownSign, kUnknownSign, kUnknownSign};
+	std::array<int, 9> edges_{kUnknownSign, kUnknownSign, kUnknownSign, kUnknownSign, kUnknownSign,
+	                          kUnknownSign, kUnknownSign, kUnknownSign, kUnknownSign};
 };
 
 bool allEqual(const Signs& s) { return s[0] == s[1] && s[1] == s[2]; }
@@ -176,8 +172,7 @@ public:
 	NamedPoints(PairSigns& signs, PairContact& out) : signs_(signs), out_(out) {
 		for (int face = 0; face < 2; ++face) {
 			int sign = 0;
-			axis_[index(face)] =
-			    projectionAxis(signs.triangle(face), signs.mesh().points, sign);
+			axis_[index(face)] = projectionAxis(signs.triangle(face), signs.mesh().points, sign);
 		}
 	}
 
@@ -340,19 +335,18 @@ Status findContacts(const Arrangement& arrangement, const std::vector<FacePair>&
                     Monitor& monitor, Contacts& out) {
 	constexpr std::size_t kGrain = 2048;
 	std::vector<ChunkContacts> chunks(chunkCount(pairs.size(), kGrain));
-	Status status = parallelForChunks(
-	    pairs.size(), kGrain, arrangement.options.threads, monitor,
-	    [&](std::size_t chunk, std::size_t begin, std::size_t end) {
-		    PairContact contact;
-		    ChunkContacts& found = chunks[chunk];
-		    for (std::size_t i = begin; i < end; ++i) {
-			    if (!contactOf(arrangement.mesh, pairs[i], contact)) {
-				    found.consistent = false;
-			    } else if (contact.count > 0) {
-				    append(found.contacts, pairs[i], contact);
-			    }
-		    }
-	    });
+	Status status = parallelForChunks(pairs.size(), kGrain, arrangement.options.threads, monitor,
+	                                  [&](std::size_t chunk, std::size_t begin, std::size_t end) {
+		                                  PairContact contact;
+		                                  ChunkContacts& found = chunks[chunk];
+		                                  for (std::size_t i = begin; i < end; ++i) {
+			                                  if (!contactOf(arrangement.mesh, pairs[i], contact)) {
+				                                  found.consistent = false;
+			                                  } else if (contact.count > 0) {
+				                                  append(found.contacts, pairs[i], contact);
+			                                  }
+		                                  }
+	                                  });
 	for (const ChunkContacts& chunk : chunks) {
 		if (!chunk.consistent) {
 			status.code = StatusCode::InternalError;

@@ -38,9 +38,8 @@ struct Contacts {
 	std::vector<PointName> names;
 };
 
-// Finds how two faces meet; count is 0 if they do not. Complexity: O(1); a dozen orient3d for a pair
-// that does.
-// \return false if the signs contradict each other, which exact signs never do
+// Finds how two faces meet; count is 0 if they do not. Complexity: O(1); a dozen orient3d for a
+// pair that does. \return false if the signs contradict each other, which exact signs never do
 bool contactOf(const MeshArrays& mesh, FacePair pair, PairContact& out);
 
 // Finds all contacts.

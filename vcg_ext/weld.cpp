@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Index Boolean authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Everything here is sorting: names to number the points, edges to collect the points on them, pairs
-// of points to find segments that several pairs of faces share.
+// Everything here is sorting: names to number the points, edges to collect the points on them,
+// pairs of points to find segments that several pairs of faces share.
 #include "weld.h"
 
 #include "parallel.h"
@@ -262,7 +262,8 @@ bool lexicographicallyBefore(const ExactPoint& a, const ExactPoint& b) {
 	return false;
 }
 
-// The sides of a coplanar overlap, and a fan of diagonals from its lexicographically smallest corner.
+// The sides of a coplanar overlap, and a fan of diagonals from its lexicographically smallest
+// corner.
 void Welder::addOverlap(std::uint32_t contact) {
 	const NamedContact& c = contacts_.pairs[contact];
 	std::vector<std::pair<VertexId, ExactPoint>> corners;
@@ -272,11 +273,11 @@ void Welder::addOverlap(std::uint32_t contact) {
 	}
 	int sign = 0;
 	const int axis = projectionAxis(at(mesh_.triangles, c.a), mesh_.points, sign);
-	std::iter_swap(corners.begin(), std::min_element(corners.begin(), corners.end(),
-	                                                 [](const auto& a, const auto& b) {
-		                                                 return lexicographicallyBefore(a.second,
-		                                                                                b.second);
-	                                                 }));
+	std::iter_swap(
+	    corners.begin(),
+	    std::min_element(corners.begin(), corners.end(), [](const auto& a, const auto& b) {
+		    return lexicographicallyBefore(a.second, b.second);
+	    }));
 	const ExactPoint& apex = corners.front().second;
 	std::sort(corners.begin() + 1, corners.end(), [&](const auto& a, const auto& b) {
 		return orient2d(apex, a.second, b.second, axis) > 0;

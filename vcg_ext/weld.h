@@ -1,11 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The Index Boolean authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// in: contacts by name; out: the curve: one numbering for all points, their coordinates, their order
-// along each input edge, and each segment once.
-// Guarantee: equal names become one point; the order along an edge is exact; coordinates are the
-// exact points correctly rounded, hence in the same order.
-// Source: Mei & Tipper 2013, step 3, by names instead of distances.
+// in: contacts by name; out: the curve: one numbering for all points, their coordinates, their
+// order along each input edge, and each segment once. Guarantee: equal names become one point; the
+// order along an edge is exact; coordinates are the exact points correctly rounded, hence in the
+// same order. Source: Mei & Tipper 2013, step 3, by names instead of distances.
 #pragma once
 
 #include "arrangement.h"

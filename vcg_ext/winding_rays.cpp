@@ -96,8 +96,7 @@ public:
 		const Range z = rangeOf(a, b, c, 2);
 		for (; it != byX_.end() && it->first <= x.high; ++it) {
 			const Point& p = at(mesh_.points, queries_[it->second].from);
-			if (p[1] >= y.low && p[1] <= y.high && p[2] <= z.high &&
-			    !isIgnored(it->second, face)) {
+			if (p[1] >= y.low && p[1] <= y.high && p[2] <= z.high && !isIgnored(it->second, face)) {
 				found.push_back({it->second, hitBy(a, b, c, p)});
 			}
 		}
@@ -133,13 +132,13 @@ Status castRays(const Arrangement& arrangement, std::size_t operand, const Ignor
 	const std::size_t first = mesh.faceBegin[operand];
 	const std::size_t count = mesh.faceBegin[operand + 1] - first;
 	std::vector<std::vector<Found>> chunks(chunkCount(count, kGrain));
-	const Status status = parallelForChunks(
-	    count, kGrain, arrangement.options.threads, monitor,
-	    [&](std::size_t chunk, std::size_t begin, std::size_t end) {
-		    for (std::size_t f = first + begin; f < first + end; ++f) {
-			    rays.shoot(makeId<FaceTag>(f), chunks[chunk]);
-		    }
-	    });
+	const Status status =
+	    parallelForChunks(count, kGrain, arrangement.options.threads, monitor,
+	                      [&](std::size_t chunk, std::size_t begin, std::size_t end) {
+		                      for (std::size_t f = first + begin; f < first + end; ++f) {
+			                      rays.shoot(makeId<FaceTag>(f), chunks[chunk]);
+		                      }
+	                      });
 	for (const std::vector<Found>& chunk : chunks) {
 		for (const Found& found : chunk) {
 			queries[found.query].winding += found.hit.winding;

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The Index Boolean authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// in: vertices, or points inside faces, as queries; out: the winding number of closed triangles around each.
-// Guarantee: exact; rays never hit an edge, since the query is moved symbolically in x and y.
-// All rays are shot in one pass over the triangles.
+// in: vertices, or points inside faces, as queries; out: the winding number of closed triangles
+// around each. Guarantee: exact; rays never hit an edge, since the query is moved symbolically in x
+// and y. All rays are shot in one pass over the triangles.
 #pragma once
 
 #include "arrangement.h"
@@ -17,7 +17,7 @@ namespace index_boolean {
 // A ray upwards (+z) from an input vertex or from a point inside a face.
 struct RayQuery {
 	VertexId from = VertexId::none();
-	FaceId inside = FaceId::none();          // used if `from` is none: a weighted mean of its corners
+	FaceId inside = FaceId::none();  // used if `from` is none: a weighted mean of its corners
 	std::array<double, 3> weights{1, 1, 1};  // positive small integers
 	int winding = 0;                         // out
 	bool onSurface = false;  // out: the point lies on a triangle; winding is then meaningless

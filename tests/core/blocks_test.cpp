@@ -63,8 +63,9 @@ TEST(Blocks, boxesGiveEachOfTheirFaceVerticesUnchanged) {
 	for (const Block& block : r.blocks) {
 		for (std::size_t v = 0; v < block.points.size(); ++v) {
 			const VertexId source = block.vertexSource[v];
-			EXPECT_EQ(std::memcmp(&block.points[v], &r.arrangement.coordinates(source),
-			                      sizeof(Point)), 0);
+			EXPECT_EQ(
+			    std::memcmp(&block.points[v], &r.arrangement.coordinates(source), sizeof(Point)),
+			    0);
 		}
 	}
 }
@@ -179,9 +180,12 @@ TEST(Blocks, theSameBytesForAnyNumberOfThreads) {
 std::pair<Mesh, Mesh> randomPair(std::uint32_t seed, std::mt19937& random) {
 	const auto shape = [&random](std::uint32_t kind) {
 		switch (kind % 4) {
-		case 0: return placed(sphere(4 + kind % 9, {0, 0, 0}, 1), random, 0.6);
-		case 1: return placed(torus(5 + kind % 11, 4 + kind % 7, 1, 0.45), random, 0.6);
-		case 2: return placed(box({-1, -0.7, -0.5}, {0.8, 0.9, 1}), random, 0.6);
+		case 0:
+			return placed(sphere(4 + kind % 9, {0, 0, 0}, 1), random, 0.6);
+		case 1:
+			return placed(torus(5 + kind % 11, 4 + kind % 7, 1, 0.45), random, 0.6);
+		case 2:
+			return placed(box({-1, -0.7, -0.5}, {0.8, 0.9, 1}), random, 0.6);
 		default:
 			return joined(placed(box({-1, -1, -1}, {-0.2, 0.5, 0.3}), random, 0.1),
 			              placed(sphere(5, {3, 0, 0}, 0.8), random, 0.1));
@@ -305,7 +309,8 @@ TEST(Refusals, oneComponentInsideOutAmongOthers) {
 
 TEST(Refusals, nestedShellsBothOutwardAreNotTakenForACavity) {
 	const Mesh nested = joined(box({0, 0, 0}, {10, 10, 10}), box({2, 2, 2}, {6, 6, 6}));
-	expectRefused(nested, box({5, 3.125, 3.5}, {7, 4.0625, 4.25}), StatusCode::NestedComponents, 0, 1);
+	expectRefused(nested, box({5, 3.125, 3.5}, {7, 4.0625, 4.25}), StatusCode::NestedComponents, 0,
+	              1);
 }
 
 TEST(Refusals, componentsThatOverlapWhereTheVolumeLawsCannotTell) {
@@ -322,15 +327,14 @@ TEST(Contacts, boxesThatShareAFaceAnEdgeAVertexOrMoreAreRight) {
 		Mesh other;
 		double both;
 	};
-	for (const Case& c : {Case{box({1, 0, 0}, {2, 1, 1}), 0}, Case{box({1, 1, 0}, {2, 2, 1}), 0},
-	                      Case{box({1, 1, 1}, {2, 2, 2}), 0},
-	                      Case{box({0.25, 0.25, 0}, {0.5, 0.5, 1}), 0.0625},
-	                      Case{box({-1, 0.5, 0.5}, {2, 0.75, 1}), 0.125}, Case{unit, 1},
-	                      Case{box({1, 0.25, 0.25}, {2, 0.75, 0.75}), 0},
-	                      Case{box({0, 0, 0}, {0.5, 0.5, 0.5}), 0.125},
-	                      Case{box({0.5, 0.5, 0.5}, {2, 2, 1}), 0.125},
-	                      Case{box({0.5, 0, 0}, {1.5, 1, 1}), 0.5},
-	                      Case{box({-1, -1, 0}, {2, 2, 0.5}), 0.5}}) {
+	for (const Case& c :
+	     {Case{box({1, 0, 0}, {2, 1, 1}), 0}, Case{box({1, 1, 0}, {2, 2, 1}), 0},
+	      Case{box({1, 1, 1}, {2, 2, 2}), 0}, Case{box({0.25, 0.25, 0}, {0.5, 0.5, 1}), 0.0625},
+	      Case{box({-1, 0.5, 0.5}, {2, 0.75, 1}), 0.125}, Case{unit, 1},
+	      Case{box({1, 0.25, 0.25}, {2, 0.75, 0.75}), 0},
+	      Case{box({0, 0, 0}, {0.5, 0.5, 0.5}), 0.125},
+	      Case{box({0.5, 0.5, 0.5}, {2, 2, 1}), 0.125}, Case{box({0.5, 0, 0}, {1.5, 1, 1}), 0.5},
+	      Case{box({-1, -1, 0}, {2, 2, 0.5}), 0.5}}) {
 		for (const bool swap : {false, true}) {
 			const BooleanRun r = swap ? run(c.other, unit) : run(unit, c.other);
 			expectLaws(r);
@@ -385,7 +389,8 @@ TEST(Scale, operandsOfAnyMagnitudeAndPlaceAreRight) {
 		const BooleanRun scaled = run(c, d);
 		ASSERT_TRUE(scaled.status.ok()) << exponent << " " << describe(scaled.status);
 		EXPECT_EQ(scaled.block(Operation::Union).triangles,
-		          reference.block(Operation::Union).triangles) << exponent;
+		          reference.block(Operation::Union).triangles)
+		    << exponent;
 		if (std::abs(exponent) <= 100) {
 			for (std::size_t v = 0; v < reference.block(Operation::Union).points.size(); ++v) {
 				for (std::size_t k = 0; k < 3; ++k) {

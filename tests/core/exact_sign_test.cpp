@@ -57,7 +57,8 @@ Rational areaValue(const RationalPoint& a, const RationalPoint& b, const Rationa
 RationalPoint exactly(const ExactPoint& p) {
 	const auto& by = p.by;
 	switch (p.form) {
-	case ExactPoint::Form::Explicit: return rational(*by[0]);
+	case ExactPoint::Form::Explicit:
+		return rational(*by[0]);
 	case ExactPoint::Form::LinePlane: {
 		const Rational f = planeValue(*by[2], *by[3], *by[4], rational(*by[0]));
 		const Rational g = planeValue(*by[2], *by[3], *by[4], rational(*by[1]));
@@ -69,7 +70,8 @@ RationalPoint exactly(const ExactPoint& p) {
 		const Rational g = areaValue(c, d, rational(*by[1]), p.axis);
 		return between(*by[0], *by[1], Rational(f / (f - g)));
 	}
-	case ExactPoint::Form::ThreePlanes: break;
+	case ExactPoint::Form::ThreePlanes:
+		break;
 	}
 	std::array<RationalPoint, 3> n;
 	RationalPoint right;
@@ -122,12 +124,18 @@ private:
 		std::uniform_int_distribution<int> grid(-3, 3);
 		std::uniform_int_distribution<int> exponent(-300, 40);
 		switch (kind_) {
-		case 0: return unit(random_);
-		case 1: return grid(random_);
-		case 2: return 1 + grid(random_) * std::numeric_limits<double>::epsilon();
-		case 3: return std::ldexp(unit(random_), exponent(random_));
-		case 4: return 1e6 + grid(random_) + unit(random_) * 1e-9;
-		default: return grid(random_) * std::numeric_limits<double>::denorm_min();
+		case 0:
+			return unit(random_);
+		case 1:
+			return grid(random_);
+		case 2:
+			return 1 + grid(random_) * std::numeric_limits<double>::epsilon();
+		case 3:
+			return std::ldexp(unit(random_), exponent(random_));
+		case 4:
+			return 1e6 + grid(random_) + unit(random_) * 1e-9;
+		default:
+			return grid(random_) * std::numeric_limits<double>::denorm_min();
 		}
 	}
 
@@ -186,8 +194,8 @@ std::vector<ExactPoint> somePoints(PointSource& next, std::vector<Point>& storag
 		n[i] = crossed(minus(rational(s[11 + 3 * i]), a), minus(rational(s[12 + 3 * i]), a));
 	}
 	if (dotted(n[0], crossed(n[1], n[2])) != 0) {
-		points.push_back(ExactPoint::threePlanes({s + 10, s + 11, s + 12, s + 13, s + 14, s + 15,
-		                                          s + 16, s + 17, s + 18}));
+		points.push_back(ExactPoint::threePlanes(
+		    {s + 10, s + 11, s + 12, s + 13, s + 14, s + 15, s + 16, s + 17, s + 18}));
 	}
 	for (ExactPoint& p : points) {
 		roundPoint(p);
@@ -257,8 +265,8 @@ TEST(ExactSign, quotientsRoundToNearestAlsoWhereTheyAreDenormal) {
 	EXPECT_EQ(quotient(1, 1, 3), 1.0 / 3.0);
 	EXPECT_EQ(quotient(-2, 1, 3), -2.0 / 3.0);
 	const double tiny = std::numeric_limits<double>::denorm_min();
-	EXPECT_EQ(quotient(tiny, 1, 2), 0.0);        // a tie, to even
-	EXPECT_EQ(quotient(3, tiny, 2), 2 * tiny);   // a tie, to even
+	EXPECT_EQ(quotient(tiny, 1, 2), 0.0);       // a tie, to even
+	EXPECT_EQ(quotient(3, tiny, 2), 2 * tiny);  // a tie, to even
 	EXPECT_EQ(quotient(3, tiny, 4), tiny);
 	EXPECT_EQ(quotient(1e300, 1e300, 1), HUGE_VAL);
 	EXPECT_EQ(quotient(9007199254740993.0, 1, 1), 9007199254740992.0);

@@ -196,8 +196,8 @@ TEST(PlanarSweep, asksForOrientationsInProportionToNLogN) {
 		}
 		std::sort(problem.points.begin(), problem.points.end());
 		const auto rank = [&problem](std::int64_t x, std::int64_t y) {
-			const auto it = std::lower_bound(problem.points.begin(), problem.points.end(),
-			                                 GridPoint{x, y});
+			const auto it =
+			    std::lower_bound(problem.points.begin(), problem.points.end(), GridPoint{x, y});
 			return static_cast<std::uint32_t>(it - problem.points.begin());
 		};
 		problem.edges = {{rank(0, 0), rank(0, 8 * n)},

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Index Boolean authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Solids of cubes on integer grids, of two sizes: every kind of contact occurs, crossing diagonals of
-// coplanar faces, edges on edges, edges with four faces. Volumes are counted, not computed.
+// Solids of cubes on integer grids, of two sizes: every kind of contact occurs, crossing diagonals
+// of coplanar faces, edges on edges, edges with four faces. Volumes are counted, not computed.
 #include "shapes.h"
 
 #include <gtest/gtest.h>
@@ -46,7 +46,8 @@ bool cellAt(const Cells& cells, std::array<int, 3> c) {
 	            [static_cast<std::size_t>(c[2])];
 }
 
-// The surface of the solid blocks of a side length: two triangles per square, along a random diagonal.
+// The surface of the solid blocks of a side length: two triangles per square, along a random
+// diagonal.
 Mesh surface(const Cells& cells, int side, std::mt19937& random) {
 	std::map<Point, std::uint32_t> ids;
 	Mesh m;
@@ -120,7 +121,8 @@ TEST(VoxelContact, everyBlockHasTheCountedVolumeInAnyOrder) {
 	for (std::uint32_t seed = 0; seed < 150; ++seed) {
 		SCOPED_TRACE("seed " + std::to_string(seed));
 		std::mt19937 random(seed);
-		const int sideA = 1 + static_cast<int>(seed % 3), sideB = 1 + static_cast<int>(seed / 3 % 3);
+		const int sideA = 1 + static_cast<int>(seed % 3),
+		          sideB = 1 + static_cast<int>(seed / 3 % 3);
 		const Cells a = randomCells(random, sideA, 0.15 + 0.1 * (seed % 7));
 		const Cells b = randomCells(random, sideB, 0.15 + 0.1 * (seed % 5));
 		const Mesh meshA = surface(a, sideA, random), meshB = surface(b, sideB, random);
