@@ -175,7 +175,7 @@ def test_interruptEndsWithStatus130(tmp_path):
 def test_terminalSeesTheStagesAndNoNoise(tmp_path):
     done = subprocess.run(
         command("boolean", FIRST, SECOND, "-o", tmp_path), capture_output=True, text=True,
-        env={**os.environ, "FORCE_COLOR": "1"}, timeout=120,  # which is taken for a terminal
+        env={**os.environ, "FORCE_COLOR": "1", "TERM": "xterm"}, timeout=120,  # taken for a terminal
     )
     assert done.returncode == 0
     assert "reading bumpy_sphere.ply" in done.stderr
