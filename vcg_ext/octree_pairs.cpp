@@ -265,7 +265,9 @@ void Descent::test(const Node& node, const FaceBox& a, const FaceBox& b) {
 	bool meet = true;
 	for (std::size_t axis = 0; axis < 3; ++axis) {
 		const float corner = std::max(a.lo[axis], b.lo[axis]);
-		meet &= (corner <= a.hi[axis]) & (corner <= b.hi[axis]) & (corner >= node.low[axis]);
+		meet &= corner <= a.hi[axis];
+		meet &= corner <= b.hi[axis];
+		meet &= corner >= node.low[axis];
 	}
 	if (meet)
 		out_.push_back({{a.face}, {b.face}});

@@ -32,9 +32,6 @@ struct Chain {
 struct ActiveEdge : boost::intrusive::set_base_hook<> {
 	PlanarEdge edge{};
 	Chain chain;  // of the interval above this edge
-
-	// Only here because the container wants an order; entries are placed by position.
-	friend bool operator<(const ActiveEdge& a, const ActiveEdge& b) { return &a < &b; }
 };
 
 using Status = boost::intrusive::set<ActiveEdge>;

@@ -77,8 +77,8 @@ void spoilEnvironmentOfAllThreads(int threads) {
 }  // namespace
 
 TEST(Parallel, everyItemIsVisitedOnce) {
-	for (const std::size_t n : {0, 1, 2, 7, 8, 9, 1000}) {
-		for (const std::size_t grain : {1, 3, 8, 2000}) {
+	for (const std::size_t n : {0u, 1u, 2u, 7u, 8u, 9u, 1000u}) {
+		for (const std::size_t grain : {1u, 3u, 8u, 2000u}) {
 			for (const int threads : {0, 1, 2, 8}) {
 				Monitor monitor;
 				std::vector<std::atomic<int>> visits(n);
@@ -231,7 +231,7 @@ TEST(Parallel, bodiesComputeInTheDefaultEnvironment) {
 	std::fenv_t before;
 	std::fegetenv(&before);
 	for (const int threads : {1, 4}) {
-		for (const std::size_t n : {1, 64}) {
+		for (const std::size_t n : {1u, 64u}) {
 			Monitor monitor;
 			std::atomic<int> spoilt{0};
 			spoilEnvironmentOfAllThreads(threads);
