@@ -37,15 +37,18 @@ public:
 	const Triangle& triangle(int face) const { return *corners_[index(face)]; }
 	const MeshArrays& mesh() const { return mesh_; }
 
+	// Whether edge i of face 0 and edge j of face 1 have an end in common.
+	bool haveCommonEnd(int i, int j) const {
+		return isCorner(1, corner(0, i), j) || isCorner(1, corner(0, nextCorner(i)), j);
+	}
+
 	// The side on which edge i of face 0 passes edge j of face 1; computed once.
 	int edgeAgainstEdge(int i, int j) {
 		int& sign = edges_[index(3 * i + j)];
 		if (sign == kUnknownSign) {
-			const bool common =
-			    isCorner(1, corner(0, i), j) || isCorner(1, corner(0, nextCorner(i)), j);
-			sign = common ? 0
-			              : orient3d(point(0, i), point(0, nextCorner(i)), point(1, j),
-			                         point(1, nextCorner(j)));
+			sign = haveCommonEnd(i, j) ? 0
+			                           : orient3d(point(0, i), point(0, nextCorner(i)), point(1, j),
+			                                      point(1, nextCorner(j)));
 		}
 		return sign;
 	}
@@ -169,12 +172,7 @@ bool genericContact(PairSigns& signs, Ends& ends) {
 // Collects the names of the points of one pair, each once.
 class NamedPoints {
 public:
-	NamedPoints(PairSigns& signs, PairContact& out) : signs_(signs), out_(out) {
-		for (int face = 0; face < 2; ++face) {
-			int sign = 0;
-			axis_[index(face)] = projectionAxis(signs.triangle(face), signs.mesh().points, sign);
-		}
-	}
+	NamedPoints(PairSigns& signs, PairContact& out) : signs_(signs), out_(out) {}
 
 	// False if there are more points than a pair of triangles can have.
 	bool collect() {
@@ -212,6 +210,15 @@ private:
 		++out_.count;
 	}
 
+	int axisOf(int face) {
+		int& axis = axis_[index(face)];
+		if (axis < 0) {
+			int sign = 0;
+			axis = projectionAxis(signs_.triangle(face), signs_.mesh().points, sign);
+		}
+		return axis;
+	}
+
 	// A corner in the plane of the other face: a common corner, inside it, on an edge, or away.
 	void addCorner(int face, int i) {
 		const int other = 1 - face;
@@ -223,7 +230,7 @@ private:
 		Signs s;
 		for (int j = 0; j < 3; ++j) {
 			s[index(j)] = orient2d(signs_.point(other, j), signs_.point(other, nextCorner(j)),
-			                       signs_.point(face, i), axis_[index(other)]);
+			                       signs_.point(face, i), axisOf(other));
 		}
 		const auto zero = std::find(s.begin(), s.end(), 0);
 		if (mixed(s)) {
@@ -253,7 +260,7 @@ private:
 
 	// Two edges in one plane that cross inside both.
 	void addCrossing(int i, int j) {
-		if (signs_.edgeAgainstEdge(i, j) != 0) {
+		if (signs_.haveCommonEnd(i, j) || signs_.edgeAgainstEdge(i, j) != 0) {
 			return;
 		}
 		const Point& a = signs_.point(0, i);
@@ -277,7 +284,7 @@ private:
 
 	PairSigns& signs_;
 	PairContact& out_;
-	std::array<int, 2> axis_{};
+	std::array<int, 2> axis_{-1, -1};  // found when first asked for
 	Ends ends_;
 	bool overflow_ = false;
 };
