@@ -3,6 +3,8 @@
 """What the documents claim of the code: stages in order, links and commands that exist."""
 
 import re
+import subprocess
+import sys
 from pathlib import Path
 
 import pytest
@@ -43,3 +45,17 @@ def test_paths_named_in_code_style_exist(page):
     named = re.findall(r"`([\w./-]+)[^`]*`", page.read_text())
     missing = [n for n in named if n.startswith(known) and not (ROOT / n).exists()]
     assert not missing
+
+
+def test_readmeExampleRuns(tmp_path):
+    code = (ROOT / "README.md").read_text().split("```python\n")[1].split("```")[0]
+    (tmp_path / "sample_meshes").symlink_to(ROOT / "sample_meshes")
+    (tmp_path / "out").mkdir()
+    done = subprocess.run(
+        [sys.executable, "-c", code], cwd=tmp_path, capture_output=True, text=True, timeout=120
+    )
+    assert done.returncode == 0, done.stderr
+    volume, residual = done.stdout.split()[-2:]
+    assert float(volume) == pytest.approx(3.151693102184, rel=1e-11)
+    assert float(residual) < 1e-12
+    assert (tmp_path / "out" / "difference.ply").stat().st_size > 0
