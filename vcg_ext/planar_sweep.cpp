@@ -34,7 +34,7 @@ struct ActiveEdge : boost::intrusive::set_base_hook<> {
 	Chain chain;  // of the interval above this edge
 };
 
-using Status = boost::intrusive::set<ActiveEdge>;
+using ActiveEdges = boost::intrusive::set<ActiveEdge>;
 
 class Sweep {
 public:
@@ -47,8 +47,8 @@ public:
 private:
 	void sortOutgoing(std::uint32_t point);
 	bool visit(std::uint32_t point);
-	bool findInterval(std::uint32_t point, Status::iterator& upper) const;
-	bool closeIncoming(std::uint32_t point, Status::iterator& it, Chain& upperChain,
+	bool findInterval(std::uint32_t point, ActiveEdges::iterator& upper) const;
+	bool closeIncoming(std::uint32_t point, ActiveEdges::iterator& it, Chain& upperChain,
 	                   bool& hasUpper);
 	Chain splitAtLast(Chain& chain);
 	void attachTop(Chain& chain, std::uint32_t point);
@@ -64,7 +64,7 @@ private:
 	std::vector<std::uint32_t> firstOutgoing_;  // per point, into edges_; one past the end last
 	std::vector<std::uint32_t> anyIncoming_;    // per point, an edge that ends there, or kNone
 	std::vector<Link> links_;
-	Status status_;  // upwards
+	ActiveEdges status_;  // upwards
 };
 
 Sweep::Sweep(std::uint32_t pointCount, const std::vector<PlanarEdge>& edges,
@@ -127,14 +127,14 @@ bool Sweep::run() {
 
 // The lowest edge above a point that no edge ends at. False if the point lies on an edge or
 // outside.
-bool Sweep::findInterval(std::uint32_t point, Status::iterator& upper) const {
+bool Sweep::findInterval(std::uint32_t point, ActiveEdges::iterator& upper) const {
 	bool onEdge = false;
 	const auto isBelow = [this, &onEdge](std::uint32_t p, const ActiveEdge& e) {
 		const int side = orientation_(e.edge.left, e.edge.right, p);
 		onEdge = onEdge || side == 0;
 		return side < 0;
 	};
-	auto& status = const_cast<Status&>(status_);
+	auto& status = const_cast<ActiveEdges&>(status_);
 	upper = status.upper_bound(point, isBelow);
 	return !onEdge && upper != status.begin() && upper != status.end();
 }
@@ -142,7 +142,7 @@ bool Sweep::findInterval(std::uint32_t point, Status::iterator& upper) const {
 // Takes out the edges that end at the point, from the lowest, `it`, upwards, and fills the
 // intervals between them. Leaves `it` above them; the chain above the highest goes to upperChain if
 // there is an interval above it. False if the point does not see what it should.
-bool Sweep::closeIncoming(std::uint32_t point, Status::iterator& it, Chain& upperChain,
+bool Sweep::closeIncoming(std::uint32_t point, ActiveEdges::iterator& it, Chain& upperChain,
                           bool& hasUpper) {
 	while (it != status_.end() && it->edge.right == point) {
 		upperChain = it->chain;
@@ -158,7 +158,7 @@ bool Sweep::closeIncoming(std::uint32_t point, Status::iterator& it, Chain& uppe
 bool Sweep::visit(std::uint32_t point) {
 	Chain lower, upper;
 	bool hasLower = false, hasUpper = false;
-	Status::iterator above = status_.end();
+	ActiveEdges::iterator above = status_.end();
 	if (anyIncoming_[point] != kNone) {
 		above = status_.iterator_to(edges_[anyIncoming_[point]]);
 		while (above != status_.begin() && std::prev(above)->edge.right == point) {
