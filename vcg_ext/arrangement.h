@@ -19,6 +19,10 @@ struct Options {
 	int octreeLeafSize = 0;   // 0: the cost rule; else a node with Na*Nb <= leafSize^2 is a leaf
 	int threads = 0;          // 0: as many as OpenMP gives
 	OutputScalar outputScalar = OutputScalar::Double;
+	bool mergeFragments = true;    // cuts that part nothing in a block leave no trace in it
+	bool mergeCoplanar = false;    // and coplanar neighbours become one face, as far as they can
+	bool weldNonManifold = false;  // where a block meets itself, it keeps one vertex, not copies
+	bool checkSelfIntersections = false;  // search each operand for faces that meet wrongly
 };
 
 // Counts of the maximal chains of intersection edges (the paper's loops).
