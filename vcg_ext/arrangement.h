@@ -104,6 +104,9 @@ struct Curve {
 	std::vector<Segment> segments;
 	std::vector<FaceSegment> faceSegments;    // sorted by face
 	std::vector<FaceDiagonal> faceDiagonals;  // sorted by face
+	// Per input vertex and new point: on the curve, and more happens there than one edge passing
+	// through one face. Only there can a block meet itself, or a cut part nothing.
+	std::vector<std::uint8_t> irregular;
 
 	std::size_t pointCount() const { return names.size(); }
 	std::size_t intervalCount() const { return pointsOnEdges.size() + cutEdges.size(); }
@@ -146,6 +149,10 @@ enum class Label : std::uint8_t { Outside, Inside, OnSame, OnOpposite, OnVertex,
 struct Labels {
 	std::vector<Label> vertex;  // per input vertex: Outside, Inside, OnVertex or Unused
 	std::vector<Label> piece;   // per piece: the first four
+	// Per piece labelled OnSame, as bits: in these blocks it stands for the overlap, and its twin,
+	// the other operand's piece on the same corners, does not. Empty if there is none.
+	static constexpr std::uint8_t kOwnerInUnion = 1, kOwnerInIntersection = 2;
+	std::vector<std::uint8_t> owner;
 	std::array<std::uint32_t, 2> components{};  // vertex-connected components of each operand
 };
 
@@ -161,6 +168,7 @@ struct Arrangement {
 	Options options;
 	MeshArrays mesh;                       // welded, without degenerate faces, right side out
 	std::vector<std::uint32_t> faceGiven;  // per face: its index in the operand as given; see below
+	std::vector<VertexId> nonManifold;     // at which an operand is no manifold; ascending
 	std::array<bool, 2> turned{};          // the operand was inside out and has been turned
 	std::array<double, 2> volume{};        // of each operand
 	Curve curve;

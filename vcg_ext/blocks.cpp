@@ -18,29 +18,25 @@ namespace {
 
 constexpr std::size_t kGrain = 1 << 15;
 
-// What becomes of the faces of one operand that have one label. A symmetric difference is two
-// solids that share the curve: each has its own copy of the curve's points.
+// What becomes of the faces of one operand that have one label.
 struct Rule {
 	bool kept;
 	bool turned;
-	std::uint8_t curveCopy;
 };
-constexpr Rule kDrop{false, false, 0};
-constexpr Rule kKeep{true, false, 0};
-constexpr Rule kTurn{true, true, 0};
-constexpr Rule kKeepOther{true, false, 1};
-constexpr Rule kTurnOther{true, true, 1};
+constexpr Rule kDrop{false, false};
+constexpr Rule kKeep{true, false};
+constexpr Rule kTurn{true, true};
 
 // [operation][operand][label]. A face is kept iff the operation's truth differs between its two
-// sides, turned iff it is true in front of the face. Of two coinciding faces the first operand's is
-// taken.
+// sides, turned iff it is true in front of the face. Of two coinciding faces one is taken: facing
+// the same way, the owner's (overlap_owners.h); else that of the operand whose solid is behind it.
 constexpr Rule kRules[kOperationCount][2][4] = {
     // outside, inside, on: same way, on: opposite way
-    {{kKeep, kDrop, kKeep, kDrop}, {kKeep, kDrop, kDrop, kDrop}},            // union
-    {{kDrop, kKeep, kKeep, kDrop}, {kDrop, kKeep, kDrop, kDrop}},            // intersection
-    {{kKeep, kDrop, kDrop, kKeep}, {kDrop, kTurn, kDrop, kDrop}},            // first minus second
-    {{kDrop, kTurn, kDrop, kTurn}, {kKeep, kDrop, kDrop, kDrop}},            // second minus first
-    {{kKeep, kTurnOther, kDrop, kDrop}, {kKeepOther, kTurn, kDrop, kDrop}},  // symmetric difference
+    {{kKeep, kDrop, kKeep, kDrop}, {kKeep, kDrop, kKeep, kDrop}},  // union
+    {{kDrop, kKeep, kKeep, kDrop}, {kDrop, kKeep, kKeep, kDrop}},  // intersection
+    {{kKeep, kDrop, kDrop, kKeep}, {kDrop, kTurn, kDrop, kDrop}},  // first minus second
+    {{kDrop, kTurn, kDrop, kDrop}, {kKeep, kDrop, kDrop, kKeep}},  // second minus first
+    {{kKeep, kTurn, kDrop, kDrop}, {kKeep, kTurn, kDrop, kDrop}},  // symmetric difference
 };
 
 // The exact point rounded to float, once: the double next to it decides, unless it lies half-way
@@ -93,13 +89,19 @@ private:
 		return rule(static_cast<std::size_t>(arrangement_.mesh.operandOf(makeId<FaceTag>(face))),
 		            at(arrangement_.labels.vertex, corner));
 	}
-	// Two copies of the curve's points keep the parts of a symmetric difference apart, unless a
-	// wall between them is taken away.
-	std::size_t copyOf(const Rule& rule) const { return oneCopy_ ? 0 : rule.curveCopy; }
+	// Whether a piece stands for itself, or for the overlap that it is a part of.
+	bool ownsPiece(std::size_t piece) const {
+		const Labels& labels = arrangement_.labels;
+		const std::uint8_t wanted = out_.operation == Operation::Union
+		                                ? Labels::kOwnerInUnion
+		                                : Labels::kOwnerInIntersection;
+		return labels.piece[piece] != Label::OnSame || (labels.owner[piece] & wanted) != 0;
+	}
 	bool keepsFace(std::size_t face) const {
 		return arrangement_.refinement.isCut[face] == 0 && uncutRule(face).kept;
 	}
 	void addCurvePoints();
+	void markSuspects(const std::vector<VertexId>& onCurve);
 	Point outputCoordinates(VertexId v) const;
 	void write(std::size_t slot, const std::array<std::uint32_t, 3>& corners, FaceId face,
 	           bool turned);
@@ -108,10 +110,7 @@ private:
 	const Rule (&rules_)[2][4];
 	Monitor& monitor_;
 	Block& out_;
-	// Per copy, per input vertex and curve point: its place in the block, if it is kept. Vertices
-	// off the curve have their place in the first copy.
-	std::array<std::vector<std::uint32_t>, 2> newIndex_;
-	bool oneCopy_ = false;
+	std::vector<std::uint32_t> newIndex_;  // per input vertex and curve point that is kept
 };
 
 // Counts what `keeps` in each chunk of n items; returns where each chunk's begin, the total last.
@@ -150,7 +149,7 @@ Status Collector::collectVertices() {
 	if (!status.ok()) {
 		return status;
 	}
-	newIndex_[0].resize(n + arrangement_.curve.pointCount());
+	newIndex_.resize(n + arrangement_.curve.pointCount());
 	out_.points.resize(begins.back());
 	out_.vertexSource.resize(begins.back());
 	status = parallelForChunks(
@@ -158,7 +157,7 @@ Status Collector::collectVertices() {
 		    std::size_t slot = begins[chunk];
 		    for (std::size_t v = begin; v < end; ++v) {
 			    if (keepsVertex(v)) {
-				    newIndex_[0][v] = static_cast<std::uint32_t>(slot);
+				    newIndex_[v] = static_cast<std::uint32_t>(slot);
 				    out_.points[slot] = outputCoordinates(makeId<VertexTag>(v));
 				    out_.vertexSource[slot] = makeId<VertexTag>(v);
 				    ++slot;
@@ -181,7 +180,7 @@ void Collector::visitKeptPieces(Visit&& visit) const {
 		const auto operand = static_cast<std::size_t>(arrangement_.mesh.operandOf(cutFace.face));
 		for (std::size_t piece = cutFace.firstPiece; piece < end; ++piece) {
 			const Rule& pieceRule = rule(operand, arrangement_.labels.piece[piece]);
-			if (pieceRule.kept) {
+			if (pieceRule.kept && ownsPiece(piece)) {
 				visit(cutFace.face, refinement.pieces[piece], pieceRule);
 			}
 		}
@@ -190,28 +189,39 @@ void Collector::visitKeptPieces(Visit&& visit) const {
 
 // Adds the vertices on the curve that kept pieces use, in the order of their ids.
 void Collector::addCurvePoints() {
-	const std::vector<Label>& labels = arrangement_.labels.piece;
-	oneCopy_ = std::find(labels.begin(), labels.end(), Label::OnOpposite) != labels.end();
-	std::array<std::vector<VertexId>, 2> used;
-	visitKeptPieces([&](FaceId, const Triangle& t, const Rule& pieceRule) {
+	std::vector<VertexId> used;
+	visitKeptPieces([&](FaceId, const Triangle& t, const Rule&) {
 		for (const VertexId v : t) {
 			if (arrangement_.isOnOther(v)) {
-				used[copyOf(pieceRule)].push_back(v);
+				used.push_back(v);
 			}
 		}
 	});
-	for (std::size_t copy = 0; copy < 2; ++copy) {
-		std::vector<VertexId>& vertices = used[copy];
-		std::sort(vertices.begin(), vertices.end());
-		vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
-		if (!vertices.empty()) {
-			newIndex_[copy].resize(arrangement_.mesh.points.size() +
-			                       arrangement_.curve.pointCount());
+	std::sort(used.begin(), used.end());
+	used.erase(std::unique(used.begin(), used.end()), used.end());
+	for (const VertexId v : used) {
+		at(newIndex_, v) = static_cast<std::uint32_t>(out_.points.size());
+		out_.points.push_back(outputCoordinates(v));
+		out_.vertexSource.push_back(v);
+	}
+	markSuspects(used);
+}
+
+// A symmetric difference meets itself all along the curve.
+void Collector::markSuspects(const std::vector<VertexId>& onCurve) {
+	const bool all = out_.operation == Operation::SymmetricDifference;
+	out_.suspect.assign(out_.points.size(), 0);
+	for (const VertexId v : onCurve) {
+		if (all || at(arrangement_.curve.irregular, v) != 0) {
+			out_.suspect[at(newIndex_, v)] = 1;
 		}
-		for (const VertexId v : vertices) {
-			at(newIndex_[copy], v) = static_cast<std::uint32_t>(out_.points.size());
-			out_.points.push_back(outputCoordinates(v));
-			out_.vertexSource.push_back(v);
+	}
+	for (const VertexId v : arrangement_.nonManifold) {
+		if (!arrangement_.isOnOther(v) && keepsVertex(v.value)) {
+			out_.suspect[at(newIndex_, v)] = 1;
+			out_.anySuspectOffCurve = true;
+		} else if (std::binary_search(onCurve.begin(), onCurve.end(), v)) {
+			out_.suspect[at(newIndex_, v)] = 1;
 		}
 	}
 }
@@ -240,8 +250,7 @@ Status Collector::collectFaces() {
 		    for (std::size_t face = begin; face < end; ++face) {
 			    if (keepsFace(face)) {
 				    const Triangle& t = arrangement_.mesh.triangles[face];
-				    write(slot++,
-				          {at(newIndex_[0], t[0]), at(newIndex_[0], t[1]), at(newIndex_[0], t[2])},
+				    write(slot++, {at(newIndex_, t[0]), at(newIndex_, t[1]), at(newIndex_, t[2])},
 				          makeId<FaceTag>(face), uncutRule(face).turned);
 			    }
 		    }
@@ -251,14 +260,11 @@ Status Collector::collectFaces() {
 void Collector::collectPieces() {
 	out_.firstPiece = out_.triangles.size();
 	visitKeptPieces([&](FaceId face, const Triangle& t, const Rule& pieceRule) {
-		std::array<std::uint32_t, 3> corners{};
-		for (std::size_t k = 0; k < 3; ++k) {
-			const std::size_t copy = arrangement_.isOnOther(t[k]) ? copyOf(pieceRule) : 0;
-			corners[k] = at(newIndex_[copy], t[k]);
-		}
 		out_.triangles.emplace_back();
 		out_.faceSource.emplace_back();
-		write(out_.triangles.size() - 1, corners, face, pieceRule.turned);
+		write(out_.triangles.size() - 1,
+		      {at(newIndex_, t[0]), at(newIndex_, t[1]), at(newIndex_, t[2])}, face,
+		      pieceRule.turned);
 	});
 }
 

@@ -32,16 +32,23 @@ struct FaceSource {
 };
 
 // The boundary of a solid. Arrays are parallel: points with vertexSource, triangles with
-// faceSource. Triangles index `points`. A vertexSource is an input vertex or a curve point.
+// faceSource. Triangles index `points`. A vertexSource is an input vertex or a curve point, or
+// none() for the middle of an edge along which the block met itself.
 struct Block {
 	Operation operation = Operation::Union;
 	std::vector<Point> points;
 	std::vector<VertexId> vertexSource;
 	std::vector<std::array<std::uint32_t, 3>> triangles;
 	std::vector<FaceSource> faceSource;
-	std::size_t firstPiece = 0;  // before cleaning: faces from here on are pieces of cut faces
 	std::size_t zeroAreaFacesRemoved = 0;
+	std::size_t verticesCopied = 0;     // to pull apart where the block meets itself
 	std::vector<StageTime> stageTimes;  // of the stages that made this block
+
+	// For the stages that finish the block; none of it is kept up to date afterwards.
+	std::size_t firstPiece = 0;         // faces from here on lie on touched faces
+	bool anySuspectOffCurve = false;    // else faces before firstPiece have no suspect corner
+	std::vector<std::uint8_t> suspect;  // per point: the block may meet itself there, or a cut that
+	                                    // parts nothing may end there
 };
 
 // Collects the faces and vertices of one block, before cleaning.

@@ -604,8 +604,10 @@ Status clean(const Surface& surface, const std::vector<std::uint32_t>& zeroAreaF
 	for (std::size_t v = 0; v < local.vertex.size(); ++v)
 		result.verticesMerged += representative[v] != local.vertex[v] ? 1 : 0;
 	Status status = listUnreferenced(surface, local, representative, result.unreferenced);
-	if (status.ok())
+	if (status.ok()) {
 		writeBack(local, representative, surface.triangles, result.faces);
+		result.looked = std::move(local.vertex);
+	}
 	return status;
 }
 

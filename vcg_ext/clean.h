@@ -41,6 +41,7 @@ struct CleanResult {
 	Relocation faces;  // done to the triangles; for the caller's per-face arrays: a piece of a
 	                   // split face is a copy of that face
 	std::vector<std::uint32_t> unreferenced;  // vertices that lost their last face, ascending
+	std::vector<std::uint32_t> looked;        // vertices whose faces may have changed, ascending
 	std::size_t verticesMerged = 0;           // into another at the same place
 	std::size_t zeroAreaFacesRemoved = 0;
 	std::size_t oppositeFacesRemoved = 0;  // faces with area that fell on their opposite

@@ -7,8 +7,11 @@
 #include "clean.h"
 #include "labels.h"
 #include "loops.h"
+#include "manifold_copies.h"
+#include "merge_fragments.h"
 #include "octree_pairs.h"
 #include "operands.h"
+#include "overlap_owners.h"
 #include "parallel.h"
 #include "retriangulate.h"
 #include "triangle_contact.h"
@@ -85,13 +88,26 @@ Status cleanBlock(const Options& options, Monitor& monitor, Block& block) {
 	if (status.ok()) {
 		cleaned.faces.apply(block.faceSource);
 		block.zeroAreaFacesRemoved = cleaned.zeroAreaFacesRemoved;
+		for (const std::uint32_t vertex : cleaned.looked) {
+			block.suspect[vertex] = 1;
+		}
 		status = removeVertices(cleaned.unreferenced, options.threads, monitor, block.points,
 		                        block.triangles, relocated);
 	}
 	if (status.ok()) {
 		relocated.apply(block.vertexSource);
+		relocated.apply(block.suspect);
 	}
 	return status;
+}
+
+// Cleaning may join sheets that were apart, and without doubt only the stored coordinates tell
+// which edges are too short for what.
+Status finishBlock(const Options& options, Monitor& monitor, Block& block) {
+	const Status status = cleanBlock(options, monitor, block);
+	return status.ok() && !options.weldNonManifold
+	           ? copyNonManifoldAsStored(options.outputScalar, monitor, block)
+	           : status;
 }
 
 // The volume of each operation's block, NaN if it was not delivered.
@@ -137,7 +153,8 @@ Status arrange(MeshArrays input, const Options& options, Monitor& monitor, Arran
 		stages.run("weld", 0.1, [&] { return weldPoints(out, contacts, monitor); });
 		stages.run("retriangulate", 0.1, [&] { return retriangulate(out, monitor); });
 		stages.run("loops", 0.05, [&] { return traceLoops(out, monitor); });
-		stages.run("labels", 0.1, [&] { return labelArrangement(out, monitor); });
+		stages.run("labels", 0.05, [&] { return labelArrangement(out, monitor); });
+		stages.run("overlap_owners", 0.05, [&] { return chooseOverlapOwners(out, monitor); });
 		return stages.status();
 	});
 }
@@ -146,9 +163,15 @@ Status extractBlock(const Arrangement& arrangement, Operation operation, Monitor
                     Block& out) {
 	return guarded([&] {
 		Stages stages(monitor, out.stageTimes);
-		stages.run("blocks", 0.8,
+		const Options& options = arrangement.options;
+		stages.run("blocks", 0.6,
 		           [&] { return collectBlock(arrangement, operation, monitor, out); });
-		stages.run("clean", 0.2, [&] { return cleanBlock(arrangement.options, monitor, out); });
+		stages.run("manifold_copies", 0.1, [&] {
+			return options.weldNonManifold ? Status{} : copyNonManifold(arrangement, monitor, out);
+		});
+		stages.run("merge_fragments", 0.1,
+		           [&] { return mergeFragments(arrangement, monitor, out); });
+		stages.run("clean", 0.2, [&] { return finishBlock(options, monitor, out); });
 		return stages.status();
 	});
 }

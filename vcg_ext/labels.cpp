@@ -355,17 +355,17 @@ Status Labeller::setLabel(NodeId node, Label label, FaceId face) {
 // Labels what lies beside one segment, whose sides are sides[first .. last).
 Status Labeller::labelBesides(std::size_t first, std::size_t last) {
 	const Segment& segment = at(arrangement_.curve.segments, refinement_.sides[first].segment);
-	std::vector<HalfPlane> halfPlanes;
+	std::vector<LabelledHalfPlane> halfPlanes;
 	for (std::size_t i = first; i < last; ++i) {
 		const SegmentSide& side = refinement_.sides[i];
 		const bool onFirst = mesh_.operandOf(side.face) == 0;
 		if (side.left != NodeId::none()) {
 			halfPlanes.push_back(
-			    {side.face, true, side.left, onFirst ? Label::Inside : Label::Outside});
+			    {{side.face, true}, side.left, onFirst ? Label::Inside : Label::Outside});
 		}
 		if (side.right != NodeId::none()) {
 			halfPlanes.push_back(
-			    {side.face, false, side.right, onFirst ? Label::Outside : Label::Inside});
+			    {{side.face, false}, side.right, onFirst ? Label::Outside : Label::Inside});
 		}
 	}
 	const int wrong = segment.crossing ? -1 : labelAround(arrangement_, segment, halfPlanes);
@@ -374,7 +374,7 @@ Status Labeller::labelBesides(std::size_t first, std::size_t last) {
 		status.code = StatusCode::SelfIntersecting;
 		status.operand = wrong;
 		std::vector<FaceId> faces;
-		for (const HalfPlane& half : halfPlanes) {
+		for (const LabelledHalfPlane& half : halfPlanes) {
 			if (mesh_.operandOf(half.face) == wrong) {
 				faces.push_back(half.face);
 			}

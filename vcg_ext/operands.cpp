@@ -6,13 +6,15 @@
 #include "operands.h"
 
 #include "clean.h"
+#include "coordinate_hash.h"
 #include "exact_sign.h"
 #include "mesh_checks.h"
+#include "non_manifold.h"
 #include "parallel.h"
 
 #include <algorithm>
 #include <atomic>
-#include <cstring>
+#include <iterator>
 
 namespace index_boolean {
 
@@ -110,18 +112,6 @@ Status checkCorners(const MeshArrays& mesh, int threads, Monitor& monitor) {
 	}
 	status = refuseCorners(mesh, StatusCode::IndexOutOfRange);
 	return status.ok() ? refuseCorners(mesh, StatusCode::NotFinite) : status;
-}
-
-std::uint64_t coordinateHash(const Point& p) {
-	std::uint64_t hash = 0x9e3779b97f4a7c15u;
-	for (const double coordinate : p) {
-		const double unsignedZero = coordinate + 0.0;
-		std::uint64_t bits;
-		std::memcpy(&bits, &unsignedZero, sizeof bits);
-		hash = (hash ^ bits) * 0xff51afd7ed558ccdu;
-		hash ^= hash >> 32;
-	}
-	return hash;
 }
 
 constexpr std::uint32_t kEmpty = 0xffffffffu;
@@ -394,6 +384,24 @@ Status turnRightSideOut(Arrangement& arrangement, Monitor& monitor) {
 	return {};
 }
 
+Status findNonManifold(Arrangement& arrangement, Monitor& monitor) {
+	const MeshArrays& mesh = arrangement.mesh;
+	std::array<std::vector<VertexId>, 2> found;
+	const int halves = threadsForHalves(mesh.triangles.size(), arrangement.options.threads);
+	const Status status =
+	    parallelFor(2, 1, halves, monitor, [&](std::size_t begin, std::size_t end) {
+		    for (std::size_t operand = begin; operand < end; ++operand) {
+			    const Triangle* triangles = mesh.triangles.data();
+			    findNonManifoldVertices(triangles + mesh.faceBegin[operand],
+			                            triangles + mesh.faceBegin[operand + 1], mesh.points.size(),
+			                            found[operand]);
+		    }
+	    });
+	std::set_union(found[0].begin(), found[0].end(), found[1].begin(), found[1].end(),
+	               std::back_inserter(arrangement.nonManifold));
+	return status;
+}
+
 }  // namespace
 
 Status prepareOperands(Arrangement& arrangement, Monitor& monitor) {
@@ -414,6 +422,9 @@ Status prepareOperands(Arrangement& arrangement, Monitor& monitor) {
 	}
 	if (status.ok()) {
 		status = cleanZeroAreaFaces(arrangement, monitor);
+	}
+	if (status.ok()) {
+		status = findNonManifold(arrangement, monitor);
 	}
 	if (status.ok()) {
 		status = turnRightSideOut(arrangement, monitor);

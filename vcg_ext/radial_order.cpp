@@ -8,8 +8,6 @@
 #include "exact_sign.h"
 #include "weld.h"
 
-#include <algorithm>
-
 namespace index_boolean {
 
 namespace {
@@ -22,22 +20,22 @@ struct Ray {
 	const Point* witness;
 	int axis;         // of the face's projection
 	int sideInPlane;  // of the witness, in that projection
-	int sector = 0;  // from the first half-plane on: 0 same, 1 before opposite, 2 opposite, 3 after
-	std::size_t slot = 0;
 };
 
 class RadialOrder {
 public:
-	RadialOrder(const Arrangement& arrangement, const Segment& segment)
-	    : arrangement_(arrangement), begin_(exactPoint(arrangement, segment.begin)),
-	      end_(exactPoint(arrangement, segment.end)) {}
+	RadialOrder(const Arrangement& arrangement, VertexId begin, VertexId end)
+	    : arrangement_(arrangement), begin_(exactPoint(arrangement, begin)),
+	      end_(exactPoint(arrangement, end)) {}
 
-	bool sort(const std::vector<HalfPlane>& halfPlanes);
-	int label();
-	const std::vector<Ray>& rays() const { return rays_; }
+	// False if there is no witness: the line does not part the face.
+	bool add(const HalfPlane& half);
+	void sort();
+	// Labels all half-planes; see labelAround. Labels are by index, as added.
+	int label(std::vector<Label>& labels) const;
+	const std::vector<RadialPlace>& places() const { return places_; }
 
 private:
-	bool add(const HalfPlane& half);
 	int sideInPlane(const Point& p, int axis) const {
 		return orient2d(begin_, end_, ExactPoint::explicitPoint(p), axis);
 	}
@@ -49,21 +47,14 @@ private:
 		                          at(points, (*a.corners)[2]), *b.witness);
 		return a.half.left ? side : -side;
 	}
-	int sectorOf(const Ray& ray) const {
-		const int turn = turnTo(rays_[0], ray);
-		if (turn != 0) {
-			return turn > 0 ? 1 : 3;
-		}
-		return sideInPlane(*ray.witness, rays_[0].axis) == rays_[0].sideInPlane ? 0 : 2;
-	}
-	int labelOperand(int operand);
+	int labelOperand(int operand, std::vector<Label>& labels) const;
 
 	const Arrangement& arrangement_;
 	ExactPoint begin_, end_;
 	std::vector<Ray> rays_;
+	std::vector<RadialPlace> places_;
 };
 
-// Finds a witness. False if there is none: the segment is not in the face.
 bool RadialOrder::add(const HalfPlane& half) {
 	Ray ray{};
 	ray.half = half;
@@ -84,68 +75,55 @@ bool RadialOrder::add(const HalfPlane& half) {
 	return false;
 }
 
-bool RadialOrder::sort(const std::vector<HalfPlane>& halfPlanes) {
-	for (const HalfPlane& half : halfPlanes) {
-		if (!add(half)) {
-			return false;
-		}
-	}
-	for (Ray& ray : rays_) {
-		ray.sector = sectorOf(ray);
-	}
-	std::sort(rays_.begin(), rays_.end(), [this](const Ray& a, const Ray& b) {
-		if (a.sector != b.sector) {
-			return a.sector < b.sector;
-		}
-		return a.sector % 2 == 1 && turnTo(a, b) > 0;
-	});
-	for (std::size_t i = 1; i < rays_.size(); ++i) {
-		const Ray& before = rays_[i - 1];
-		const bool same = before.sector == rays_[i].sector &&
-		                  (before.sector % 2 == 0 || turnTo(before, rays_[i]) == 0);
-		rays_[i].slot = before.slot + (same ? 0 : 1);
-	}
-	return true;
+void RadialOrder::sort() {
+	const auto turn = [this](std::uint32_t i, std::uint32_t j) {
+		return turnTo(rays_[i], rays_[j]);
+	};
+	const auto sameSide = [this](std::uint32_t i) {
+		return sideInPlane(*rays_[i].witness, rays_[0].axis) == rays_[0].sideInPlane;
+	};
+	sortRadially(rays_.size(), turn, sameSide, places_);
 }
 
 // Labels the half-planes of one operand by those of the other: going round, a left half-plane of
 // the other is entered from behind, inside, and left in front, outside; a right one the other way.
-int RadialOrder::labelOperand(int operand) {
-	std::vector<const Ray*> others;
-	for (const Ray& ray : rays_) {
-		if (ray.operand != operand) {
-			others.push_back(&ray);
+int RadialOrder::labelOperand(int operand, std::vector<Label>& labels) const {
+	std::vector<RadialPlace> others;
+	for (const RadialPlace& place : places_) {
+		if (rays_[place.index].operand != operand) {
+			others.push_back(place);
 		}
 	}
+	const auto isLeft = [this](const RadialPlace& place) { return rays_[place.index].half.left; };
 	for (std::size_t i = 0; i < others.size(); ++i) {
-		const Ray& next = *others[(i + 1) % others.size()];
-		const bool insideAfter = !others[i]->half.left;
-		const bool insideBeforeNext = next.half.left;
-		const bool samePlace = others.size() > 1 && others[i]->slot == next.slot;
-		if (others.size() == 1 || samePlace || insideAfter != insideBeforeNext) {
+		const RadialPlace& next = others[(i + 1) % others.size()];
+		const bool samePlace = others[i].slot == next.slot;  // also if it is the only one
+		if (samePlace || isLeft(others[i]) == isLeft(next)) {
 			return 1 - operand;
 		}
 	}
-	for (Ray& ray : rays_) {
-		if (ray.operand != operand || others.empty()) {
+	for (const RadialPlace& place : places_) {
+		if (rays_[place.index].operand != operand || others.empty()) {
 			continue;
 		}
-		const Ray* last = others.back();  // the last one before this ray, going round
-		for (const Ray* other : others) {
-			last = other->slot <= ray.slot ? other : last;
+		RadialPlace last = others.back();  // the last one before this ray, going round
+		for (const RadialPlace& other : others) {
+			last = other.slot <= place.slot ? other : last;
 		}
-		if (last->slot == ray.slot) {
-			ray.half.label = last->half.left == ray.half.left ? Label::OnSame : Label::OnOpposite;
+		Label& label = labels[place.index];
+		if (last.slot == place.slot) {
+			label = isLeft(last) == isLeft(place) ? Label::OnSame : Label::OnOpposite;
 		} else {
-			ray.half.label = last->half.left ? Label::Outside : Label::Inside;
+			label = isLeft(last) ? Label::Outside : Label::Inside;
 		}
 	}
 	return -1;
 }
 
-int RadialOrder::label() {
+int RadialOrder::label(std::vector<Label>& labels) const {
+	labels.assign(rays_.size(), Label::Unknown);
 	for (int operand = 0; operand < 2; ++operand) {
-		if (const int wrong = labelOperand(operand); wrong >= 0) {
+		if (const int wrong = labelOperand(operand, labels); wrong >= 0) {
 			return wrong;
 		}
 	}
@@ -154,15 +132,32 @@ int RadialOrder::label() {
 
 }  // namespace
 
-int labelAround(const Arrangement& arrangement, const Segment& segment,
-                std::vector<HalfPlane>& halfPlanes) {
-	RadialOrder order(arrangement, segment);
-	if (!order.sort(halfPlanes)) {
-		return 0;
+bool sortAround(const Arrangement& arrangement, VertexId begin, VertexId end,
+                const std::vector<HalfPlane>& halfPlanes, std::vector<RadialPlace>& places) {
+	RadialOrder order(arrangement, begin, end);
+	for (const HalfPlane& half : halfPlanes) {
+		if (!order.add(half)) {
+			return false;
+		}
 	}
-	const int wrong = order.label();
+	order.sort();
+	places = order.places();
+	return true;
+}
+
+int labelAround(const Arrangement& arrangement, const Segment& segment,
+                std::vector<LabelledHalfPlane>& halfPlanes) {
+	RadialOrder order(arrangement, segment.begin, segment.end);
+	for (const LabelledHalfPlane& half : halfPlanes) {
+		if (!order.add(half)) {
+			return 0;
+		}
+	}
+	order.sort();
+	std::vector<Label> labels;
+	const int wrong = order.label(labels);
 	for (std::size_t i = 0; i < halfPlanes.size(); ++i) {
-		halfPlanes[i] = order.rays()[i].half;
+		halfPlanes[i].label = labels[i];
 	}
 	return wrong;
 }

@@ -67,6 +67,7 @@ private:
 	void collectLines();
 	void addOverlap(std::uint32_t contact);
 	void numberSegments();
+	void findIrregularPoints();
 
 	bool isOn(VertexId v) const { return arrangement_.isOnOther(v); }
 	ExactPoint exact(VertexId v) const { return exactPoint(arrangement_, v); }
@@ -338,6 +339,25 @@ void Welder::numberSegments() {
 	          all.end());
 }
 
+// Regular is a new point at which two segments meet, each the crossing of two faces.
+void Welder::findIrregularPoints() {
+	constexpr std::uint8_t kIrregular = 1;
+	curve_.irregular = curve_.onOther;
+	std::vector<std::uint8_t> crossings(curve_.pointCount());
+	for (const Segment& segment : curve_.segments) {
+		for (const VertexId v : {segment.begin, segment.end}) {
+			if (arrangement_.isCurvePoint(v)) {
+				std::uint8_t& count = at(crossings, arrangement_.pointOf(v));
+				count = segment.crossing && count < 3 ? static_cast<std::uint8_t>(count + 1) : 3;
+			}
+		}
+	}
+	for (std::size_t p = 0; p < crossings.size(); ++p) {
+		const bool regular = curve_.names[p].kind == PointKind::EdgeFace && crossings[p] == 2;
+		curve_.irregular.push_back(regular ? 0 : kIrregular);
+	}
+}
+
 Status Welder::run() {
 	numberPoints();
 	Status status = roundPoints();
@@ -351,6 +371,7 @@ Status Welder::run() {
 	if (status.ok()) {
 		collectLines();
 		numberSegments();
+		findIrregularPoints();
 	}
 	return status;
 }

@@ -1,0 +1,24 @@
+// SPDX-FileCopyrightText: 2026 The Index Boolean authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// in: a closed surface; out: the vertices at which it is not a manifold. Guarantee: exact, by
+// indices alone.
+#pragma once
+
+#include "mesh_arrays.h"
+
+#include <vector>
+
+namespace index_boolean {
+
+// Finds the vertices whose faces are not one umbrella: the edges opposite the vertex, one in each
+// of its faces, are not one cycle that visits each vertex once. That is so at both ends of an edge
+// with more than two faces, and where parts of the surface meet at a vertex alone.
+// \param begin, end closed, consistently oriented triangles; no corner twice in one of them
+// \param vertexCount above all corners
+// \param out        appended to, ascending
+// Complexity: O(n), but O(d log d) for a vertex with d faces, d large. 8 bytes a corner.
+void findNonManifoldVertices(const Triangle* begin, const Triangle* end, std::size_t vertexCount,
+                             std::vector<VertexId>& out);
+
+}  // namespace index_boolean
