@@ -66,6 +66,12 @@ public:
 
 	Status run(std::size_t firstFace);
 
+	// Whether two pairs of faces at one edge still have both ends in common.
+	bool anyInCommon() const {
+		return std::any_of(fans_.begin(), fans_.end(),
+		                   [this](const Fan& fan) { return !pairsInCommon(fan).empty(); });
+	}
+
 	// Puts a midpoint into each pair of faces at the fans that could not be pulled apart.
 	void insertMidpoints(OutputScalar scalar);
 
@@ -426,6 +432,27 @@ bool anySuspect(const Block& block) {
 	return std::find(block.suspect.begin(), block.suspect.end(), 1) != block.suspect.end();
 }
 
+// One round separates the sheets at an edge into two groups at least, unless the order of faces
+// around edges contradicts itself: rounds are repeated while they help. Why: around a vertex, the
+// surface leaves closed lines on a small sphere. Where two solids at an edge have a line in common,
+// they are one solid elsewhere, so that two of the voids between them are parted.
+template <class Finish>
+Status separate(Block& block, std::size_t firstFace, const SortFan& sortFan, Monitor& monitor,
+                Finish&& finish) {
+	while (true) {
+		const std::size_t copied = block.verticesCopied;
+		Separator separator(block, sortFan, monitor);
+		const Status status = separator.run(firstFace);
+		if (!status.ok() || !separator.anyInCommon()) {
+			return status;
+		}
+		if (block.verticesCopied == copied) {
+			finish(separator);
+			return status;
+		}
+	}
+}
+
 }  // namespace
 
 Status copyNonManifold(const Arrangement& arrangement, Monitor& monitor, Block& block) {
@@ -442,7 +469,8 @@ Status copyNonManifold(const Arrangement& arrangement, Monitor& monitor, Block& 
 		return sortAround(arrangement, block.vertexSource[low], block.vertexSource[high],
 		                  halfPlanes, places);
 	};
-	return Separator(block, sortFan, monitor).run(block.anySuspectOffCurve ? 0 : block.firstPiece);
+	return separate(block, block.anySuspectOffCurve ? 0 : block.firstPiece, sortFan, monitor,
+	                [](Separator&) {});
 }
 
 Status copyNonManifoldAsStored(OutputScalar scalar, Monitor& monitor, Block& block) {
@@ -469,12 +497,8 @@ Status copyNonManifoldAsStored(OutputScalar scalar, Monitor& monitor, Block& blo
 		sortRadially(faces.size(), turn, sameSide, places);
 		return true;
 	};
-	Separator separator(block, sortFan, monitor);
-	const Status status = separator.run(0);
-	if (status.ok()) {
-		separator.insertMidpoints(scalar);
-	}
-	return status;
+	return separate(block, 0, sortFan, monitor,
+	                [scalar](Separator& separator) { separator.insertMidpoints(scalar); });
 }
 
 }  // namespace index_boolean

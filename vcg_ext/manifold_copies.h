@@ -5,7 +5,9 @@
 // its sheets pulled apart by copies of these vertices.
 // Guarantee: no triangle changes its place or orientation; closed stays closed. At an edge with
 // more than two faces, faces are paired across the solid between them; where that would leave both
-// ends of two pairs in common, across the void. What is then still left gets a midpoint a pair.
+// ends of two pairs in common, across the void. That always suffices where the order of faces
+// around edges is that of a solid; where rounding has broken it, an edge still in common gets a
+// midpoint for each pair.
 #pragma once
 
 #include "blocks.h"

@@ -21,8 +21,15 @@ struct PieceEdge {
 	bool sameEdge(const PieceEdge& other) const { return low == other.low && high == other.high; }
 };
 
-// The corners of an input face in lexicographic order.
-using Corners = std::array<Point, 3>;
+// An input face that takes part in an overlap: its corners in lexicographic order, and whether all
+// of it does.
+struct Wall {
+	std::array<Point, 3> corners;
+	bool isWhole;
+
+	friend bool operator<(const Wall& a, const Wall& b) { return a.corners < b.corners; }
+	friend bool operator==(const Wall& a, const Wall& b) { return a.corners == b.corners; }
+};
 
 class Chooser {
 public:
@@ -44,7 +51,7 @@ private:
 	void visitEdge(const PieceEdge* begin, const PieceEdge* end);
 	void listWalls();
 	void setOwners();
-	std::size_t ownerByGeometry(std::uint32_t overlap) const;
+	std::size_t ownerByShape(std::uint32_t overlap) const;
 
 	bool isOverlap(std::uint32_t piece) const {
 		return arrangement_.labels.piece[piece] == Label::OnSame;
@@ -58,7 +65,7 @@ private:
 	std::vector<FaceId> parent_;  // per piece
 	UnionFind overlaps_;          // over pieces; sets: overlaps with their twins
 	std::vector<Claims> claims_;  // per overlap's root
-	std::vector<std::array<std::vector<Corners>, 2>> walls_;  // per overlap's root and operand
+	std::vector<std::array<std::vector<Wall>, 2>> walls_;  // per overlap's root and operand
 };
 
 void Chooser::listParents() {
@@ -139,26 +146,42 @@ void Chooser::visitEdge(const PieceEdge* begin, const PieceEdge* end) {
 // The faces of each operand that take part in each overlap.
 void Chooser::listWalls() {
 	walls_.resize(parent_.size());
-	for (std::uint32_t piece = 0; piece < parent_.size(); ++piece) {
-		if (!isOverlap(piece)) {
-			continue;
+	for (std::uint32_t first = 0, end = 0; first < parent_.size(); first = end) {
+		bool isWhole = true;
+		for (end = first; end < parent_.size() && parent_[end] == parent_[first]; ++end) {
+			isWhole = isWhole && isOverlap(end);
 		}
-		const Triangle& t = at(arrangement_.mesh.triangles, parent_[piece]);
+		const Triangle& t = at(arrangement_.mesh.triangles, parent_[first]);
 		const std::vector<Point>& points = arrangement_.mesh.points;
-		Corners corners{at(points, t[0]), at(points, t[1]), at(points, t[2])};
-		std::sort(corners.begin(), corners.end());
-		walls_[overlaps_.root(piece)][operandOf(piece)].push_back(corners);
+		Wall wall{{at(points, t[0]), at(points, t[1]), at(points, t[2])}, isWhole};
+		std::sort(wall.corners.begin(), wall.corners.end());
+		for (std::uint32_t piece = first; piece < end; ++piece) {
+			if (isOverlap(piece)) {
+				walls_[overlaps_.root(piece)][operandOf(piece)].push_back(wall);
+			}
+		}
 	}
 	for (auto& both : walls_) {
-		for (std::vector<Corners>& walls : both) {
+		for (std::vector<Wall>& walls : both) {
 			std::sort(walls.begin(), walls.end());
 			walls.erase(std::unique(walls.begin(), walls.end()), walls.end());
 		}
 	}
 }
 
-std::size_t Chooser::ownerByGeometry(std::uint32_t overlap) const {
-	return walls_[overlap][1] < walls_[overlap][0] ? 1 : 0;
+// Faces that lie in the overlap as a whole need no cut; else fewer faces need fewer.
+std::size_t Chooser::ownerByShape(std::uint32_t overlap) const {
+	const auto& [first, second] = walls_[overlap];
+	const auto isWhole = [](const Wall& wall) { return wall.isWhole; };
+	const std::array<bool, 2> whole{std::all_of(first.begin(), first.end(), isWhole),
+	                                std::all_of(second.begin(), second.end(), isWhole)};
+	if (whole[0] != whole[1]) {
+		return whole[1] ? 1 : 0;
+	}
+	if (first.size() != second.size()) {
+		return second.size() < first.size() ? 1 : 0;
+	}
+	return second < first ? 1 : 0;
 }
 
 void Chooser::setOwners() {
@@ -171,7 +194,7 @@ void Chooser::setOwners() {
 		const std::uint32_t overlap = overlaps_.root(piece);
 		const auto choose = [&](const std::array<bool, 2>& claims) {
 			const std::size_t only = claims[1] ? 1 : 0;
-			return claims[0] == claims[1] ? ownerByGeometry(overlap) : only;
+			return claims[0] == claims[1] ? ownerByShape(overlap) : only;
 		};
 		const bool inUnion = choose(claims_[overlap].inUnion) == operandOf(piece);
 		const bool inIntersection = choose(claims_[overlap].inIntersection) == operandOf(piece);

@@ -212,6 +212,36 @@ inline bool isClosed(const std::vector<std::array<std::uint32_t, 3>>& triangles)
 	return std::all_of(balance.begin(), balance.end(), [](const auto& e) { return e.second == 0; });
 }
 
+// Whether each edge has one face each way, and the faces at each vertex form one umbrella.
+inline bool isManifold(const std::vector<std::array<std::uint32_t, 3>>& triangles) {
+	std::map<std::array<std::uint32_t, 2>, std::uint32_t> apexOf;  // per directed edge
+	std::map<std::uint32_t, std::size_t> faceCount;
+	for (const auto& t : triangles) {
+		for (std::size_t i = 0; i < 3; ++i) {
+			++faceCount[t[i]];
+			if (!apexOf.emplace(std::array{t[i], t[(i + 1) % 3]}, t[(i + 2) % 3]).second) {
+				return false;
+			}
+		}
+	}
+	for (const auto& [edge, apex] : apexOf) {
+		std::size_t steps = 0;
+		std::uint32_t neighbour = edge[1];
+		do {
+			const auto next = apexOf.find({edge[0], neighbour});
+			if (next == apexOf.end()) {
+				return false;
+			}
+			neighbour = next->second;
+			++steps;
+		} while (neighbour != edge[1] && steps <= faceCount[edge[0]]);
+		if (steps != faceCount[edge[0]]) {
+			return false;
+		}
+	}
+	return true;
+}
+
 // Every triangle by coordinates, smallest corner first, sorted: equal for equal geometry.
 inline std::vector<std::array<Point, 3>> geometry(const Block& block) {
 	std::vector<std::array<Point, 3>> all;

@@ -137,6 +137,7 @@ TEST(VoxelContact, everyBlockHasTheCountedVolumeInAnyOrder) {
 			            volumeWhere(a, b, kTruth[k]), 1e-9)
 			    << operationName(r.blocks[k].operation);
 			EXPECT_TRUE(isClosed(r.blocks[k].triangles));
+			EXPECT_TRUE(isManifold(r.blocks[k].triangles)) << operationName(r.blocks[k].operation);
 			expectNoDoubledFaces(r.blocks[k]);
 		}
 		const BooleanRun other = run(meshB, meshA);
