@@ -102,7 +102,7 @@ TEST(ManifoldCopies, anEdgeWithSixFacesComesApart) {
 // However the four faces at the edges to them are paired, they have an umbrella in common.
 TEST(ManifoldCopies, whatCannotComeApartGetsMidpoints) {
 	Block block;
-	block.points = {{0, 0, 0},  {0, 0, 4},  {4, 0, 0},  {1, 2, 2},
+	block.points = {{0, 0, 0},  {0, 0, 4},  {4, 0, 0},  {1, 2, 6},
 	                {2, -2, 1}, {-2, 1, 2}, {2, 3, -2}, {9, 9, 9}};
 	block.vertexSource.assign(8, VertexId{0});
 	const std::array<std::uint32_t, 8> around{1, 3, 2, 4, 1, 5, 2, 6};
