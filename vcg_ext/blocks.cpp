@@ -84,10 +84,21 @@ private:
 		const std::size_t operand = v < arrangement_.mesh.vertexBegin[1] ? 0 : 1;
 		return (label == Label::Outside || label == Label::Inside) && rule(operand, label).kept;
 	}
+	// A quiet face has no piece and no vertex with a label: its twin tells. Of twins that face the
+	// same way, the first operand's is taken.
 	const Rule& uncutRule(std::size_t face) const {
-		const VertexId corner = arrangement_.mesh.triangles[face][0];
-		return rule(static_cast<std::size_t>(arrangement_.mesh.operandOf(makeId<FaceTag>(face))),
-		            at(arrangement_.labels.vertex, corner));
+		const MeshArrays& mesh = arrangement_.mesh;
+		const FaceId id = makeId<FaceTag>(face);
+		const auto operand = static_cast<std::size_t>(mesh.operandOf(id));
+		switch (mesh.quietTwin(id)) {
+		case Twin::None:
+			return rule(operand, at(arrangement_.labels.vertex, mesh.triangles[face][0]));
+		case Twin::SameWay:
+			return operand == 0 ? rule(operand, Label::OnSame) : kDrop;
+		case Twin::Opposite:
+			return rule(operand, Label::OnOpposite);
+		}
+		return kDrop;
 	}
 	// Whether a piece stands for itself, or for the overlap that it is a part of.
 	bool ownsPiece(std::size_t piece) const {
@@ -187,16 +198,22 @@ void Collector::visitKeptPieces(Visit&& visit) const {
 	}
 }
 
-// Adds the vertices on the curve that kept pieces use, in the order of their ids.
+// Adds the vertices on the other operand that kept faces use, in the order of their ids.
 void Collector::addCurvePoints() {
 	std::vector<VertexId> used;
-	visitKeptPieces([&](FaceId, const Triangle& t, const Rule&) {
+	const auto use = [&](const Triangle& t) {
 		for (const VertexId v : t) {
 			if (arrangement_.isOnOther(v)) {
 				used.push_back(v);
 			}
 		}
-	});
+	};
+	visitKeptPieces([&](FaceId, const Triangle& t, const Rule&) { use(t); });
+	for (std::size_t f = 0; f < arrangement_.mesh.quietFaces.size(); ++f) {
+		if (arrangement_.mesh.quietFaces[f] != Twin::None && uncutRule(f).kept) {
+			use(arrangement_.mesh.triangles[f]);
+		}
+	}
 	std::sort(used.begin(), used.end());
 	used.erase(std::unique(used.begin(), used.end()), used.end());
 	for (const VertexId v : used) {
@@ -222,6 +239,7 @@ void Collector::markSuspects(const std::vector<VertexId>& onCurve) {
 			out_.anySuspectOffCurve = true;
 		} else if (std::binary_search(onCurve.begin(), onCurve.end(), v)) {
 			out_.suspect[at(newIndex_, v)] = 1;
+			out_.anySuspectOffCurve |= arrangement_.mesh.isQuiet(v);
 		}
 	}
 }

@@ -171,6 +171,8 @@ public:
 private:
 	template <class Visit>
 	void visitBox(std::size_t face, Visit visit) const {
+		if (mesh_.quietTwin(makeId<FaceTag>(face)) != Twin::None)
+			return;
 		const FramePoint& p = at(points_, mesh_.triangles[face][0]);
 		const FramePoint& q = at(points_, mesh_.triangles[face][1]);
 		const FramePoint& r = at(points_, mesh_.triangles[face][2]);

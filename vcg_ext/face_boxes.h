@@ -25,11 +25,10 @@ struct FaceBoxes {
 	float halfSize = 1;  // a power of two
 };
 
-// Lists the faces that reach both operands' boxes and, in a coarse grid, a cell of the other
-// operand.
-// \param mesh both operands; every face's coordinates are finite
-// \param out  both lists empty if the operands' boxes are apart
-// \return Ok, Cancelled or OutOfMemory. Complexity: O(n), in parallel.
+// Lists the faces, but for quiet ones, that reach both operands' boxes and, in a coarse grid, a
+// cell of the other operand. \param mesh both operands; every face's coordinates are finite \param
+// out  both lists empty if the operands' boxes are apart \return Ok, Cancelled or OutOfMemory.
+// Complexity: O(n), in parallel.
 Status collectFaceBoxes(const MeshArrays& mesh, int threads, Monitor& monitor, FaceBoxes& out);
 
 }  // namespace index_boolean

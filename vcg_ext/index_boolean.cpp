@@ -5,6 +5,7 @@
 #include "index_boolean.h"
 
 #include "clean.h"
+#include "coincident_faces.h"
 #include "labels.h"
 #include "loops.h"
 #include "manifold_copies.h"
@@ -146,7 +147,8 @@ Status arrange(MeshArrays input, const Options& options, Monitor& monitor, Arran
 		Contacts contacts;
 		Stages stages(monitor, out.stageTimes);
 		stages.run("operands", 0.25, [&] { return prepareOperands(out, monitor); });
-		stages.run("octree_pairs", 0.25,
+		stages.run("coincident_faces", 0.05, [&] { return findCoincidentFaces(out, monitor); });
+		stages.run("octree_pairs", 0.2,
 		           [&] { return findPairs(out.mesh, options, monitor, pairs); });
 		stages.run("triangle_contact", 0.15,
 		           [&] { return findContacts(out, pairs, monitor, contacts); });

@@ -48,6 +48,9 @@ private:
 	}
 	int operandOfRegion(NodeId region) const { return region < firstRegionOfSecond_ ? 0 : 1; }
 	std::uint32_t nodeOf(FaceId face) const;
+	std::uint32_t cornerNode(std::size_t operand, VertexId v) const {
+		return static_cast<std::uint32_t>(nodes_.size() + operand * mesh_.points.size()) + v.value;
+	}
 	std::uint32_t componentOf(FaceId face) const { return components_.root(nodeOf(face)); }
 
 	Arrangement& arrangement_;
@@ -60,8 +63,13 @@ private:
 	std::vector<Label> label_;  // per class root
 };
 
-// A node of the face: one of its vertices, or its first region.
+// A node of the face: one of its vertices, or its first region. For a quiet face it is one of
+// components_ only.
 std::uint32_t Labeller::nodeOf(FaceId face) const {
+	if (mesh_.quietTwin(face) != Twin::None) {
+		return cornerNode(static_cast<std::size_t>(mesh_.operandOf(face)),
+		                  at(mesh_.triangles, face)[0]);
+	}
 	if (at(refinement_.isCut, face) == 0) {
 		return at(mesh_.triangles, face)[0].value;
 	}
@@ -75,6 +83,9 @@ void Labeller::uniteFaces(std::size_t operand) {
 	const std::vector<std::uint8_t>& isCut = refinement_.isCut;
 	for (std::size_t f = mesh_.faceBegin[operand]; f < mesh_.faceBegin[operand + 1]; ++f) {
 		const Triangle& t = mesh_.triangles[f];
+		if (mesh_.quietTwin(makeId<FaceTag>(f)) != Twin::None) {
+			continue;
+		}
 		if (isCut[f] == 0) {
 			label[t[0].value] = label[t[1].value] = label[t[2].value] = Label::Unknown;
 			nodes_.unite(t[0].value, t[1].value);
@@ -105,6 +116,11 @@ Status Labeller::uniteNodes() {
 	for (const auto& link : refinement_.cornerLinks) {
 		label[link[1].value] = Label::OnVertex;
 	}
+	for (std::size_t v = 0; v < mesh_.quietVertices.size(); ++v) {
+		if (mesh_.quietVertices[v] != 0) {
+			label[v] = Label::OnVertex;
+		}
+	}
 	nodes_.flatten();
 	label_.assign(nodes_.size(), Label::Unknown);
 	return status;
@@ -124,34 +140,43 @@ void finish(const Arrangement& arrangement, Status& status, std::vector<FaceId>&
 	}
 }
 
-// Components are classes joined across segments and at common corners.
+// Components are classes joined across segments and at common corners. A vertex on the other
+// operand may be a corner of both: it has a node for each, numbered after all others.
 void Labeller::findComponents() {
 	components_ = nodes_;
+	if (!refinement_.cornerLinks.empty() || !mesh_.quietFaces.empty()) {
+		components_.grow(nodes_.size() + 2 * mesh_.points.size());
+	}
 	for (const CutFace& cut : refinement_.cutFaces) {
 		if (mesh_.operandOf(cut.face) == 1) {
 			firstRegionOfSecond_ = refinement_.pieceRegion[cut.firstPiece];
 			break;
 		}
 	}
-	// All faces of one operand at one segment, and at one corner, are joined to the first of them.
-	std::vector<std::array<std::uint32_t, 3>> meetings;  // operand, segment or vertex, region
-	for (const SegmentSide& side : refinement_.sides) {
-		const auto operand = static_cast<std::uint32_t>(mesh_.operandOf(side.face));
+	std::array<NodeId, 2> last{};  // region of each operand at the segment that is looked at
+	for (std::size_t i = 0; i < refinement_.sides.size(); ++i) {
+		const SegmentSide& side = refinement_.sides[i];
+		if (i == 0 || side.segment != refinement_.sides[i - 1].segment) {
+			last.fill(NodeId::none());
+		}
 		for (const NodeId region : {side.left, side.right}) {
-			if (region != NodeId::none()) {
-				meetings.push_back({operand, side.segment.value, region.value});
+			NodeId& previous = last[static_cast<std::size_t>(mesh_.operandOf(side.face))];
+			if (region != NodeId::none() && previous != NodeId::none()) {
+				components_.unite(region.value, previous.value);
 			}
+			previous = region == NodeId::none() ? previous : region;
 		}
 	}
-	const auto segmentCount = static_cast<std::uint32_t>(arrangement_.curve.segments.size());
 	for (const auto& link : refinement_.cornerLinks) {
-		meetings.push_back({static_cast<std::uint32_t>(operandOfRegion(link[0])),
-		                    segmentCount + link[1].value, link[0].value});
+		const auto operand = static_cast<std::size_t>(operandOfRegion(link[0]));
+		components_.unite(link[0].value, cornerNode(operand, {link[1].value}));
 	}
-	std::sort(meetings.begin(), meetings.end());
-	for (std::size_t i = 1; i < meetings.size(); ++i) {
-		if (meetings[i][0] == meetings[i - 1][0] && meetings[i][1] == meetings[i - 1][1]) {
-			components_.unite(meetings[i][2], meetings[i - 1][2]);
+	for (std::uint32_t f = 0; f < mesh_.quietFaces.size(); ++f) {
+		if (mesh_.quietFaces[f] != Twin::None) {
+			const auto operand = static_cast<std::size_t>(mesh_.operandOf({f}));
+			const Triangle& t = mesh_.triangles[f];
+			components_.unite(cornerNode(operand, t[0]), cornerNode(operand, t[1]));
+			components_.unite(cornerNode(operand, t[1]), cornerNode(operand, t[2]));
 		}
 	}
 	components_.flatten();
@@ -198,7 +223,12 @@ std::uint32_t Labeller::countComponents(std::size_t operand) const {
 	}
 	std::sort(others.begin(), others.end());
 	const auto end = std::unique(others.begin(), others.end());
-	return count + static_cast<std::uint32_t>(end - others.begin());
+	count += static_cast<std::uint32_t>(end - others.begin());
+	for (std::uint32_t v = 0; v < mesh_.quietVertices.size(); ++v) {
+		const std::uint32_t node = cornerNode(operand, {v});
+		count += mesh_.quietVertices[v] != 0 && components_.root(node) == node ? 1 : 0;
+	}
+	return count;
 }
 
 Status Labeller::checkComponents() {
@@ -292,8 +322,8 @@ Status Labeller::checkNesting(std::size_t operand) {
 	if (arrangement_.labels.components[operand] < 2) {
 		return {};
 	}
-	const ComponentList list =
-	    listComponents(mesh_, operand, nodes_.size(), [this](FaceId f) { return componentOf(f); });
+	const ComponentList list = listComponents(mesh_, operand, components_.size(),
+	                                          [this](FaceId f) { return componentOf(f); });
 	std::vector<RayQuery> queries(list.samples.size());
 	for (std::size_t c = 0; c < queries.size(); ++c) {
 		queries[c].from = at(mesh_.triangles, list.samples[c][0])[0];

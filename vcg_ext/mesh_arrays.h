@@ -12,6 +12,9 @@
 
 namespace index_boolean {
 
+// Whether a face coincides with one of the other operand's, and how that one is turned.
+enum class Twin : std::uint8_t { None, SameWay, Opposite };
+
 // Operand k has the vertices [vertexBegin[k], vertexBegin[k + 1]) and the faces
 // [faceBegin[k], faceBegin[k + 1]). Triangles hold global vertex ids. Once welded, faces of the
 // second operand may use vertices of the first, where both have one in the same place.
@@ -20,7 +23,17 @@ struct MeshArrays {
 	std::vector<Triangle> triangles;
 	std::array<std::uint32_t, 3> vertexBegin{};
 	std::array<std::uint32_t, 3> faceBegin{};
+	// Once looked for, and only if there are any: a vertex is quiet if every face at it has a twin,
+	// a face if its corners are. Nothing is known of the twins of other faces.
+	std::vector<Twin> quietFaces;
+	std::vector<std::uint8_t> quietVertices;
 
+	Twin quietTwin(FaceId face) const {
+		return quietFaces.empty() ? Twin::None : at(quietFaces, face);
+	}
+	bool isQuiet(VertexId v) const {
+		return v.value < quietVertices.size() && at(quietVertices, v) != 0;
+	}
 	int operandOf(FaceId face) const { return face.value < faceBegin[1] ? 0 : 1; }
 };
 

@@ -21,14 +21,12 @@ struct FacePair {
 	FaceId a, b;
 };
 
-// Finds all pairs of faces with boxes that touch or overlap, and a few more whose boxes differ by
-// less than the rounding to float of coordinates taken relative to the operands' common box.
-// \param mesh    both operands; every face's coordinates are finite
-// \param options octree limits and threads
-// \param monitor progress of the stage, and cancel
-// \param out     replaced; sorted by a, then by b
-// \return Ok, Cancelled, OutOfMemory or InternalError
-// Complexity: O(n + m log m + p) for n faces, m of them near the other operand, and p pairs.
+// Finds all pairs of faces, quiet ones left aside, with boxes that touch or overlap, and a few more
+// whose boxes differ by less than the rounding to float of coordinates taken relative to the
+// operands' common box. \param mesh    both operands; every face's coordinates are finite \param
+// options octree limits and threads \param monitor progress of the stage, and cancel \param out
+// replaced; sorted by a, then by b \return Ok, Cancelled, OutOfMemory or InternalError Complexity:
+// O(n + m log m + p) for n faces, m of them near the other operand, and p pairs.
 Status findPairs(const MeshArrays& mesh, const Options& options, Monitor& monitor,
                  std::vector<FacePair>& out);
 

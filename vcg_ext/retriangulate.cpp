@@ -262,7 +262,9 @@ void FaceCutter::fixBorder() {
 				continue;
 			}
 			NodeId interval = NodeId::none();
-			if (arrangement_.isOnOther(side[j]) && arrangement_.isOnOther(side[j + 1])) {
+			const bool quiet =
+			    arrangement_.mesh.isQuiet(side[j]) && arrangement_.mesh.isQuiet(side[j + 1]);
+			if (arrangement_.isOnOther(side[j]) && arrangement_.isOnOther(side[j + 1]) && !quiet) {
 				const std::size_t fromLow = reversed ? side.size() - 2 - j : j;
 				interval = {vertexCount + cutEdge->firstInterval +
 				            static_cast<std::uint32_t>(fromLow)};

@@ -18,6 +18,13 @@ public:
 		std::iota(parent_.begin(), parent_.end(), 0u);
 	}
 
+	// Adds elements, each a set of its own, up to n in all.
+	void grow(std::size_t n) {
+		for (std::size_t i = parent_.size(); i < n; ++i) {
+			parent_.push_back(static_cast<std::uint32_t>(i));
+		}
+	}
+
 	std::uint32_t find(std::uint32_t i) {
 		while (parent_[i] != i) {
 			parent_[i] = parent_[parent_[i]];

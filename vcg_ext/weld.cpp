@@ -69,6 +69,8 @@ private:
 	void numberSegments();
 	void findIrregularPoints();
 
+	// Whether all faces at an edge have twins: the curve does not go along it.
+	bool isQuiet(VertexId a, VertexId b) const { return mesh_.isQuiet(a) && mesh_.isQuiet(b); }
 	bool isOn(VertexId v) const { return arrangement_.isOnOther(v); }
 	ExactPoint exact(VertexId v) const { return exactPoint(arrangement_, v); }
 
@@ -84,7 +86,8 @@ private:
 
 // New points are numbered in the order of their names; the others are input vertices.
 void Welder::numberPoints() {
-	curve_.onOther.assign(mesh_.points.size(), 0);
+	curve_.onOther = mesh_.quietVertices;
+	curve_.onOther.resize(mesh_.points.size(), 0);
 	vertexOfName_.resize(contacts_.names.size());
 	std::vector<std::uint32_t> slots;
 	for (std::uint32_t i = 0; i < contacts_.names.size(); ++i) {
@@ -149,7 +152,7 @@ void Welder::collectPointsOnEdges() {
 		const Triangle& t = at(mesh_.triangles, face);
 		for (std::size_t i = 0; i < 3; ++i) {
 			const auto edge = std::minmax(t[i], t[(i + 1) % 3]);
-			if (isOn(edge.first) && isOn(edge.second)) {
+			if (isOn(edge.first) && isOn(edge.second) && !isQuiet(edge.first, edge.second)) {
 				edgePoints_.push_back({edge.first, edge.second, VertexId::none()});
 			}
 		}
@@ -285,7 +288,9 @@ void Welder::addOverlap(std::uint32_t contact) {
 	});
 	for (std::size_t i = 0; i < corners.size(); ++i) {
 		const VertexId next = corners[(i + 1) % corners.size()].first;
-		lines_.push_back({corners[i].first, next, contact});
+		if (!isQuiet(corners[i].first, next)) {
+			lines_.push_back({corners[i].first, next, contact});
+		}
 	}
 	for (std::size_t i = 2; i + 1 < corners.size(); ++i) {
 		curve_.faceDiagonals.push_back({c.a, corners.front().first, corners[i].first});
@@ -343,6 +348,9 @@ void Welder::numberSegments() {
 void Welder::findIrregularPoints() {
 	constexpr std::uint8_t kIrregular = 1;
 	curve_.irregular = curve_.onOther;
+	for (std::size_t v = 0; v < mesh_.quietVertices.size(); ++v) {
+		curve_.irregular[v] = curve_.irregular[v] & (1 - mesh_.quietVertices[v]);
+	}
 	std::vector<std::uint8_t> crossings(curve_.pointCount());
 	for (const Segment& segment : curve_.segments) {
 		for (const VertexId v : {segment.begin, segment.end}) {
