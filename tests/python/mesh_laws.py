@@ -90,6 +90,17 @@ def volume(vertices, faces):
     return float(np.sum(a * _cross(b, c)) / 6)
 
 
+def exact_volume(vertices, faces):
+    """The signed volume as a fraction. Slow: for meshes of a few thousand faces."""
+    vertices, faces = as_mesh(vertices, faces)
+    points = [[Fraction(x) for x in point] for point in vertices.tolist()]
+    six_volumes = Fraction(0)
+    for face in faces.tolist():
+        a, b, c = (points[corner] for corner in face)
+        six_volumes += sum(a[i] * (b[i - 2] * c[i - 1] - b[i - 1] * c[i - 2]) for i in range(3))
+    return six_volumes / 6
+
+
 def area(vertices, faces):
     """The surface area, summed in extended precision."""
     vertices, faces = as_mesh(vertices, faces)
@@ -149,6 +160,37 @@ def is_edge_manifold(faces):
     return len(np.unique(forward)) == len(forward) and np.array_equal(
         np.sort(forward), np.sort(backward)
     )
+
+
+def is_manifold(faces):
+    """True if, by index, each edge has two faces that run against each other, and the faces at each
+    vertex are one umbrella."""
+    faces = np.asarray(faces, dtype=np.int64).reshape(-1, 3)
+    if not is_edge_manifold(faces):
+        return False
+    # From each corner, the way across the edge that leaves it leads to one corner of that vertex.
+    start, end = faces.ravel(), np.roll(faces, -1, axis=1).ravel()
+    width = int(faces.max(initial=0)) + 1
+    corner = np.arange(len(start))
+    leaving, arriving = np.argsort(start * width + end), np.argsort(end * width + start)
+    opposite = np.empty(len(start), dtype=np.int64)
+    opposite[leaving] = arriving
+    following = 3 * (opposite // 3) + (opposite + 1) % 3
+    umbrellas = component_count(np.stack([corner, following, following], axis=1), len(start))
+    return umbrellas == len(np.unique(faces))
+
+
+def coinciding_faces(vertices, faces):
+    """How many faces have the corners, by coordinates, of another face, either way round."""
+    _, faces = welded(vertices, faces)
+    _, count = np.unique(np.sort(faces, axis=1), axis=0, return_counts=True)
+    return int(count[count > 1].sum())
+
+
+def coincident_ends(vertices, faces):
+    """How many directed edges join two vertices of equal coordinates."""
+    _, faces = welded(vertices, faces)
+    return int(np.count_nonzero(faces == np.roll(faces, -1, axis=1)))
 
 
 def triangle_rows(vertices, faces):

@@ -2,6 +2,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The checks themselves: each finds the defect it is made for, and only that."""
 
+from fractions import Fraction
+
 import numpy as np
 import pytest
 
@@ -32,6 +34,37 @@ def test_edgeOfFourFacesIsClosedButNoManifold():
     points, faces = mesh_laws.welded(vertices, faces)
     assert len(points) == 14
     assert not mesh_laws.is_edge_manifold(faces)
+
+
+def test_vertexOfTwoUmbrellasIsNoManifold():
+    assert mesh_laws.is_manifold(sphere()[1])
+    vertices, faces = joined(UNIT_BOX, box((1, 1, 1), (2, 2, 2)))
+    assert mesh_laws.is_manifold(faces)
+    _, faces = mesh_laws.welded(vertices, faces)
+    assert mesh_laws.is_edge_manifold(faces)
+    assert not mesh_laws.is_manifold(faces)
+    assert not mesh_laws.is_manifold(faces[1:])
+
+
+def test_coincidingFacesAreFoundEitherWayRound():
+    vertices, faces = UNIT_BOX
+    assert mesh_laws.coinciding_faces(*joined(UNIT_BOX, box((1, 1, 0), (2, 2, 1)))) == 0
+    assert mesh_laws.coinciding_faces(*joined(UNIT_BOX, box((1, 0, 0), (2, 1, 1)))) == 4
+    assert mesh_laws.coinciding_faces(vertices, np.concatenate([faces, faces[:3, [1, 2, 0]]])) == 6
+
+
+def test_edgeBetweenCopiesIsFound():
+    vertices, faces = UNIT_BOX
+    assert mesh_laws.coincident_ends(*joined(UNIT_BOX, UNIT_BOX)) == 0
+    copied = np.concatenate([vertices, vertices[:1]])
+    assert mesh_laws.coincident_ends(copied, np.concatenate([faces, [(0, 8, 1), (8, 0, 3)]])) == 2
+
+
+def test_exactVolumeSeesTheLastBit():
+    vertices, faces = box((0, 0, 0), (1, 1, 1 + 2.0**-52))
+    assert mesh_laws.exact_volume(vertices, faces) == 1 + Fraction(1, 2**52)
+    faces = [(0, 1, 2), (0, 3, 1), (0, 2, 3), (1, 3, 2)]
+    assert mesh_laws.exact_volume(np.eye(4, 3), faces) == Fraction(1, 6)
 
 
 def test_zeroAreaIsDecidedExactly():
