@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Error bounds: a rounded sum errs by at most u|s|, a rounded product by u|p| plus an underflow
-// term. Double-double sums err by at most 3u^2|s|, products by 5u^2|p| (Joldes, Muller, Popescu,
-// "Tight and rigorous error bounds for basic building blocks of double-word arithmetic", 2017);
-// kPairRoundoff is above both.
+// term. Of double-doubles what each operation rounds off is computed, by error-free transformations
+// (Dekker, Knuth): it is nothing at all where the true value fits, as it does for coordinates with
+// few bits. So points that lie in one plane of a construction are told so without big integers.
 #include "exact_number.h"
 
 #include <algorithm>
@@ -14,8 +14,6 @@ namespace index_boolean {
 
 namespace {
 
-constexpr double kPairRoundoff = 8 * kRoundoff * kRoundoff;
-
 // a + b = sum + error, exactly.
 double twoSum(double a, double b, double& error) {
 	const double sum = a + b;
@@ -24,15 +22,17 @@ double twoSum(double a, double b, double& error) {
 	return sum;
 }
 
-// The same for |a| >= |b|.
-double quickTwoSum(double a, double b, double& error) {
-	const double sum = a + b;
-	error = b - (sum - a);
-	return sum;
+// a * b = product + error, exactly unless the error may be too small for a double.
+double twoProduct(double a, double b, double& error) {
+	const double product = a * b;
+	error = std::fma(a, b, -product);
+	return product;
 }
 
-BoundedPair withRoundoff(double high, double low, double bound) {
-	return {high, low, (bound + kPairRoundoff * std::fabs(high)) * Bounded::kGrow};
+// A bound on what of a * b is lost to underflow, the product's error included.
+double underflowOf(double a, double b) {
+	constexpr double kErrorIsNormal = 0x1p-900;
+	return std::fabs(a * b) > kErrorIsNormal || a == 0 || b == 0 ? 0 : kUnderflow;
 }
 
 }  // namespace
@@ -48,14 +48,14 @@ int BoundedPair::sign() const {
 }
 
 BoundedPair operator+(BoundedPair a, BoundedPair b) {
-	double highError;
-	double lowError;
+	double highError, lowError, middleError, lost, low;
 	const double highSum = twoSum(a.high, b.high, highError);
 	const double lowSum = twoSum(a.low, b.low, lowError);
-	double low;
-	double high = quickTwoSum(highSum, highError + lowSum, low);
-	high = quickTwoSum(high, low + lowError, low);
-	return withRoundoff(high, low, a.bound + b.bound);
+	const double middle = twoSum(highError, lowSum, middleError);
+	const double high = twoSum(highSum, middle, low);
+	low = twoSum(low, lowError + middleError, lost);
+	const double roundedOff = std::fabs(lost) + kRoundoff * std::fabs(lowError + middleError);
+	return {high, low, (a.bound + b.bound + roundedOff) * Bounded::kGrow};
 }
 
 BoundedPair operator-(BoundedPair a, BoundedPair b) {
@@ -66,16 +66,23 @@ BoundedPair operator*(BoundedPair a, BoundedPair b) {
 	if (a.isZero() || b.isZero()) {
 		return BoundedPair(0);
 	}
-	const double product = a.high * b.high;
-	const double productError = std::fma(a.high, b.high, -product);
-	const double cross = std::fma(a.high, b.low, a.low * b.high) + a.low * b.low;
-	double low;
-	const double high = quickTwoSum(product, productError + cross, low);
+	double productError, firstError, secondError, crossError, lowError, low;
+	const double product = twoProduct(a.high, b.high, productError);
+	const double first = twoProduct(a.high, b.low, firstError);
+	const double second = twoProduct(a.low, b.high, secondError);
+	const double cross = twoSum(first, second, crossError);
+	const double rest = twoSum(cross, productError, lowError);
+	const double high = twoSum(product, rest, low);
+	const double roundedOff = std::fabs(firstError) + std::fabs(secondError) +
+	                          std::fabs(crossError) + std::fabs(lowError) +
+	                          std::fabs(a.low * b.low);
+	const double underflow = underflowOf(a.high, b.high) + underflowOf(a.high, b.low) +
+	                         underflowOf(a.low, b.high) + underflowOf(a.low, b.low);
 	const double sizeA = std::fabs(a.high) + std::fabs(a.low);
 	const double sizeB = std::fabs(b.high) + std::fabs(b.low);
-	BoundedPair result = withRoundoff(high, low, sizeA * b.bound + a.bound * (sizeB + b.bound));
-	result.bound += kUnderflow;
-	return result;
+	const double carried = sizeA * b.bound + a.bound * (sizeB + b.bound);
+	const double carriedUnderflow = a.bound == 0 && b.bound == 0 ? 0 : kUnderflow;
+	return {high, low, (carried + roundedOff) * Bounded::kGrow + underflow + carriedUnderflow};
 }
 
 BoundedPair operator/(BoundedPair a, BoundedPair b) {
@@ -89,7 +96,7 @@ BoundedPair operator/(BoundedPair a, BoundedPair b) {
 	const double second = rest.high / b.high;
 	const BoundedPair left = rest - b * BoundedPair(second);
 	double low;
-	const double high = quickTwoSum(first, second, low);
+	const double high = twoSum(first, second, low);
 	const double error = (std::fabs(left.high) + std::fabs(left.low) + left.bound) / divisor;
 	return {high, low, error * (1 + 4 * kRoundoff) * Bounded::kGrow + kUnderflow};
 }
@@ -186,7 +193,7 @@ bool certainSum(double base, BoundedPair offset, double& rounded) {
 	double error;
 	const double sum = twoSum(base, offset.high, error);
 	double low;
-	const double high = quickTwoSum(sum, error, low);
+	const double high = twoSum(sum, error, low);
 	// true = high + low + offset.low +- bound; certain if both ends round to the same double.
 	const double slack = (offset.bound + std::fabs(offset.low)) * (1 + 8 * kRoundoff) +
 	                     std::fabs(low) * 4 * kRoundoff + kUnderflow;

@@ -185,6 +185,8 @@ std::size_t Chooser::ownerByShape(std::uint32_t overlap) const {
 }
 
 void Chooser::setOwners() {
+	constexpr std::size_t kUnknown = 2;
+	std::vector<std::size_t> byShape(parent_.size(), kUnknown);  // per overlap's root, once asked
 	std::vector<std::uint8_t>& owner = arrangement_.labels.owner;
 	owner.assign(parent_.size(), 0);
 	for (std::uint32_t piece = 0; piece < parent_.size(); ++piece) {
@@ -192,15 +194,15 @@ void Chooser::setOwners() {
 			continue;
 		}
 		const std::uint32_t overlap = overlaps_.root(piece);
-		const auto choose = [&](const std::array<bool, 2>& claims) {
+		std::size_t& shape = byShape[overlap];
+		shape = shape == kUnknown ? ownerByShape(overlap) : shape;
+		const auto owns = [&](const std::array<bool, 2>& claims) {
 			const std::size_t only = claims[1] ? 1 : 0;
-			return claims[0] == claims[1] ? ownerByShape(overlap) : only;
+			return (claims[0] == claims[1] ? shape : only) == operandOf(piece);
 		};
-		const bool inUnion = choose(claims_[overlap].inUnion) == operandOf(piece);
-		const bool inIntersection = choose(claims_[overlap].inIntersection) == operandOf(piece);
-		owner[piece] =
-		    static_cast<std::uint8_t>((inUnion ? Labels::kOwnerInUnion : 0) |
-		                              (inIntersection ? Labels::kOwnerInIntersection : 0));
+		owner[piece] = static_cast<std::uint8_t>(
+		    (owns(claims_[overlap].inUnion) ? Labels::kOwnerInUnion : 0) |
+		    (owns(claims_[overlap].inIntersection) ? Labels::kOwnerInIntersection : 0));
 	}
 }
 
