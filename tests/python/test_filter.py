@@ -20,6 +20,7 @@ ALL_BLOCKS = (*BLOCKS, "symmetric_difference")
 LABELS = ("A union B", "A intersection B", "A minus B", "B minus A", "A xor B")
 STAGES = (
     "operands",
+    "self_intersections",
     "octree_pairs",
     "triangle_contact",
     "weld",
