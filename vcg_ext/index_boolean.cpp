@@ -15,6 +15,7 @@
 #include "overlap_owners.h"
 #include "parallel.h"
 #include "retriangulate.h"
+#include "self_intersections.h"
 #include "triangle_contact.h"
 #include "weld.h"
 
@@ -146,7 +147,9 @@ Status arrange(MeshArrays input, const Options& options, Monitor& monitor, Arran
 		std::vector<FacePair> pairs;
 		Contacts contacts;
 		Stages stages(monitor, out.stageTimes);
-		stages.run("operands", 0.25, [&] { return prepareOperands(out, monitor); });
+		stages.run("operands", 0.2, [&] { return prepareOperands(out, monitor); });
+		stages.run("self_intersections", 0.05,
+		           [&] { return checkSelfIntersections(out, monitor); });
 		stages.run("coincident_faces", 0.05, [&] { return findCoincidentFaces(out, monitor); });
 		stages.run("octree_pairs", 0.2,
 		           [&] { return findPairs(out.mesh, options, monitor, pairs); });

@@ -183,11 +183,12 @@ void Split::distribute(const Node& node, BoxBuffer& buffer, std::vector<Node>& o
 	}
 }
 
-// Descends below one node and lists the pairs of all leaves. One object per thread's chunk.
+// Descends below one node and visits the pairs of all leaves. One object per thread's chunk.
+template <class Visit>
 class Descent {
 public:
-	Descent(const Options& options, Monitor& monitor, std::vector<FacePair>& out)
-	    : options_(options), monitor_(monitor), out_(out) {}
+	Descent(const Options& options, Monitor& monitor, Visit visitPair)
+	    : options_(options), monitor_(monitor), visitPair_(visitPair) {}
 
 	void visit(const Node& node);
 
@@ -200,7 +201,7 @@ private:
 
 	const Options& options_;
 	Monitor& monitor_;
-	std::vector<FacePair>& out_;
+	Visit visitPair_;
 	Split split_;
 	std::array<BoxBuffer, 21> buffers_;           // one per depth
 	std::array<std::vector<Node>, 21> children_;  // one per depth
@@ -219,7 +220,8 @@ bool isLeaf(const Node& node, const Options& options) {
 	return a * b <= leafSize * leafSize;
 }
 
-void Descent::visit(const Node& node) {
+template <class Visit>
+void Descent<Visit>::visit(const Node& node) {
 	if (isLeaf(node, options_) || !split_.count(node)) {
 		scan(node);
 		return;
@@ -235,14 +237,16 @@ void Descent::visit(const Node& node) {
 	}
 }
 
-bool Descent::stopped() {
+template <class Visit>
+bool Descent<Visit>::stopped() {
 	if (tested_ < kPollPairs)
 		return monitor_.cancelled();
 	tested_ = 0;
 	return pollCancelled(monitor_);
 }
 
-void Descent::scan(const Node& node) {
+template <class Visit>
+void Descent<Visit>::scan(const Node& node) {
 	const std::uint64_t a = node.faces[0].size;
 	const std::uint64_t b = node.faces[1].size;
 	tested_ += static_cast<std::size_t>(a + b);
@@ -252,16 +256,18 @@ void Descent::scan(const Node& node) {
 		sweep(node);
 }
 
-void Descent::scanAll(const Node& node) {
+template <class Visit>
+void Descent<Visit>::scanAll(const Node& node) {
 	for (const FaceBox& a : node.faces[0]) {
 		for (const FaceBox& b : node.faces[1])
 			test(node, a, b);
 	}
 }
 
-// Lists the pair if the boxes meet and the low corner of their overlap is this node's. That corner
+// Visits the pair if the boxes meet and the low corner of their overlap is this node's. That corner
 // lies below the node's upper sides, as both boxes do.
-void Descent::test(const Node& node, const FaceBox& a, const FaceBox& b) {
+template <class Visit>
+void Descent<Visit>::test(const Node& node, const FaceBox& a, const FaceBox& b) {
 	bool meet = true;
 	for (std::size_t axis = 0; axis < 3; ++axis) {
 		const float corner = std::max(a.lo[axis], b.lo[axis]);
@@ -270,7 +276,7 @@ void Descent::test(const Node& node, const FaceBox& a, const FaceBox& b) {
 		meet &= corner >= node.low[axis];
 	}
 	if (meet)
-		out_.push_back({{a.face}, {b.face}});
+		visitPair_(FacePair{{a.face}, {b.face}});
 }
 
 // The axis along which the boxes are the shortest, compared with the room that they take.
@@ -298,7 +304,8 @@ std::size_t sweepAxis(const Node& node) {
 
 // Tests the boxes that meet along one axis only: each box, from low to high, against those of the
 // other operand that begin after it and before its end.
-void Descent::sweep(const Node& node) {
+template <class Visit>
+void Descent<Visit>::sweep(const Node& node) {
 	const std::size_t axis = sweepAxis(node);
 	for (std::size_t k = 0; k < 2; ++k) {
 		sorted_[k].assign(node.faces[k].begin(), node.faces[k].end());
@@ -324,12 +331,11 @@ void Descent::sweep(const Node& node) {
 	}
 }
 
-Node makeRoot(const FaceBoxes& boxes) {
+Node makeRoot(const std::vector<FaceBox>& a, const std::vector<FaceBox>& b, float halfSize) {
 	Node root{};
 	root.low.fill(-std::numeric_limits<float>::infinity());
-	root.half = boxes.halfSize;
-	for (std::size_t k = 0; k < 2; ++k)
-		root.faces[k] = {boxes.operand[k].data(), boxes.operand[k].size()};
+	root.half = halfSize;
+	root.faces = {BoxSpan{a.data(), a.size()}, BoxSpan{b.data(), b.size()}};
 	return root;
 }
 
@@ -388,19 +394,22 @@ void sortPairs(const std::vector<std::vector<FacePair>>& parts, std::size_t face
 	}
 }
 
-Status descend(const Node& root, const Options& options, Monitor& monitor,
-               std::vector<std::vector<FacePair>>& parts) {
-	Frontier frontier;
-	frontier.nodes.push_back(root);
-	for (int level = 0; level < 3 && frontier.nodes.size() < kManyNodes; ++level) {
-		Status status = expand(options, monitor, frontier);
-		if (!status.ok())
-			return status;
-	}
-	parts.resize(frontier.nodes.size());
+// Divides the tree below the root into nodes enough for all threads.
+Status makeFrontier(const Node& root, const Options& options, Monitor& monitor, Frontier& out) {
+	Status status;
+	out.nodes.push_back(root);
+	for (int level = 0; level < 3 && out.nodes.size() < kManyNodes && status.ok(); ++level)
+		status = expand(options, monitor, out);
+	return status;
+}
+
+// Visits the pairs below each node i of the frontier with makeVisit(i).
+template <class MakeVisit>
+Status descend(const Frontier& frontier, const Options& options, Monitor& monitor,
+               MakeVisit makeVisit) {
 	return parallelForChunks(frontier.nodes.size(), 1, options.threads, monitor,
 	                         [&](std::size_t i, std::size_t, std::size_t) {
-		                         Descent(options, monitor, parts[i]).visit(frontier.nodes[i]);
+		                         Descent(options, monitor, makeVisit(i)).visit(frontier.nodes[i]);
 	                         });
 }
 
@@ -411,8 +420,15 @@ Status findPairsUnguarded(const MeshArrays& mesh, const Options& options, Monito
 	Status status = collectFaceBoxes(mesh, options.threads, monitor, boxes);
 	if (!status.ok() || boxes.operand[0].empty() || boxes.operand[1].empty())
 		return status;
-	std::vector<std::vector<FacePair>> parts;
-	status = descend(makeRoot(boxes), options, monitor, parts);
+	Frontier frontier;
+	status = makeFrontier(makeRoot(boxes.operand[0], boxes.operand[1], boxes.halfSize), options,
+	                      monitor, frontier);
+	if (!status.ok())
+		return status;
+	std::vector<std::vector<FacePair>> parts(frontier.nodes.size());
+	status = descend(frontier, options, monitor, [&parts](std::size_t i) {
+		return [&part = parts[i]](FacePair pair) { part.push_back(pair); };
+	});
 	if (status.ok())
 		sortPairs(parts, mesh.faceBegin[1], out);
 	return status;
@@ -426,6 +442,27 @@ Status findPairs(const MeshArrays& mesh, const Options& options, Monitor& monito
 	out.clear();
 	try {
 		return findPairsUnguarded(mesh, options, monitor, out);
+	} catch (const std::bad_alloc&) {
+		Status status;
+		status.code = StatusCode::OutOfMemory;
+		return status;
+	}
+}
+
+Status visitPairsWithin(const std::vector<FaceBox>& boxes, float halfSize, const Options& options,
+                        Monitor& monitor, const PairVisitor& visit) {
+	const FpEnvironmentGuard environment;
+	const auto visitOnce = [&visit](FacePair pair) {
+		if (pair.a < pair.b)
+			visit(pair);
+	};
+	try {
+		Frontier frontier;
+		const Status status =
+		    makeFrontier(makeRoot(boxes, boxes, halfSize), options, monitor, frontier);
+		return status.ok() ? descend(frontier, options, monitor,
+		                             [&visitOnce](std::size_t) { return visitOnce; })
+		                   : status;
 	} catch (const std::bad_alloc&) {
 		Status status;
 		status.code = StatusCode::OutOfMemory;

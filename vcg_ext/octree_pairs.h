@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Index Boolean authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// in: both operands' triangles; out: the pairs of faces, one of each operand, that may meet.
+// in: both operands' triangles; out: the pairs of faces, one of each operand, that may meet. Also:
+// the pairs of faces of one surface.
 // Guarantee: every two faces whose boxes touch or overlap are a pair, listed once. The list does
 // not depend on the threads, nor on the octree's options.
 // Source: Mei & Tipper 2013, step 1: an octree over the overlap of both boxes in which a node
@@ -9,9 +10,11 @@
 #pragma once
 
 #include "arrangement.h"
+#include "face_boxes.h"
 #include "monitor.h"
 #include "status.h"
 
+#include <functional>
 #include <vector>
 
 namespace index_boolean {
@@ -23,11 +26,27 @@ struct FacePair {
 
 // Finds all pairs of faces, quiet ones left aside, with boxes that touch or overlap, and a few more
 // whose boxes differ by less than the rounding to float of coordinates taken relative to the
-// operands' common box. \param mesh    both operands; every face's coordinates are finite \param
-// options octree limits and threads \param monitor progress of the stage, and cancel \param out
-// replaced; sorted by a, then by b \return Ok, Cancelled, OutOfMemory or InternalError Complexity:
-// O(n + m log m + p) for n faces, m of them near the other operand, and p pairs.
+// operands' common box.
+// \param mesh    both operands; every face's coordinates are finite
+// \param options octree limits and threads
+// \param monitor progress of the stage, and cancel
+// \param out     replaced; sorted by a, then by b
+// \return Ok, Cancelled, OutOfMemory or InternalError
+// Complexity: O(n + m log m + p) for n faces, m of them near the other operand, and p pairs.
 Status findPairs(const MeshArrays& mesh, const Options& options, Monitor& monitor,
                  std::vector<FacePair>& out);
+
+// Called with pairs of faces, on several threads at a time.
+using PairVisitor = std::function<void(FacePair)>;
+
+// Visits, in any order, each two faces of one surface with boxes that touch or overlap: once, as a
+// pair with a < b.
+// \param boxes    of all its faces, in a cube from -halfSize to halfSize
+// \param halfSize a power of two
+// \param options  octree limits and threads
+// \return Ok, Cancelled, OutOfMemory or InternalError. Unless Ok, pairs may not have been visited.
+// Complexity: O(n log n + p) for n faces and p pairs, in O(n) memory.
+Status visitPairsWithin(const std::vector<FaceBox>& boxes, float halfSize, const Options& options,
+                        Monitor& monitor, const PairVisitor& visit);
 
 }  // namespace index_boolean

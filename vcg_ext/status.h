@@ -24,7 +24,7 @@ enum class StatusCode : std::uint8_t {
 	NotOriented,       // closed, but neighbouring faces run the same way along an edge
 	NoVolume,          // closed, but encloses nothing: the signed volume is exactly zero
 	NestedComponents,  // components of one operand inside out, or inside each other's solid
-	SelfIntersecting,  // winding numbers contradict the curve: an operand overlaps itself
+	SelfIntersecting,  // faces of one operand meet wrongly, or winding numbers contradict the curve
 	InternalError,     // a check of our own failed; a defect of this library, never an answer
 };
 constexpr int kStatusCodeCount = 13;

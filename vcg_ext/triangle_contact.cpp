@@ -27,8 +27,36 @@ public:
 		corners_[1] = &at(mesh.triangles, pair.b);
 	}
 
-	// False if one face lies strictly on one side of the other's plane: no contact.
-	bool straddle() { return cornersAgainstPlane(0) && cornersAgainstPlane(1); }
+	// Takes the signs of a face's corners. False if it lies strictly on one side of the other's
+	// plane: no contact.
+	bool reachesPlane(int face) {
+		const int other = 1 - face;
+		for (int i = 0; i < 3; ++i) {
+			const bool common = cornerAt(other, corner(face, i)) >= 0;
+			common_[index(face)][index(i)] = common;
+			side_[index(face)][index(i)] = common ? 0
+			                                      : orient3d(point(other, 0), point(other, 1),
+			                                                 point(other, 2), point(face, i));
+		}
+		const Signs& s = side_[index(face)];
+		return !(s[0] == s[1] && s[1] == s[2] && s[0] != 0);
+	}
+
+	// Whether a face, but for corners common to both, lies strictly on one side of the other's
+	// plane: then these corners, and the edge between them, are all that the faces have in common.
+	bool touchesInCommonCorners(int face) const {
+		int strictSide = 0;
+		for (int i = 0; i < 3; ++i) {
+			if (common_[index(face)][index(i)]) {
+				continue;
+			}
+			if (side(face, i) == 0 || side(face, i) == -strictSide) {
+				return false;
+			}
+			strictSide = side(face, i);
+		}
+		return strictSide != 0;
+	}
 
 	int side(int face, int corner) const { return side_[index(face)][index(corner)]; }
 	FaceId face(int k) const { return face_[index(k)]; }
@@ -84,22 +112,11 @@ private:
 		return corner(face, j) == v || corner(face, nextCorner(j)) == v;
 	}
 
-	bool cornersAgainstPlane(int face) {
-		const int other = 1 - face;
-		for (int i = 0; i < 3; ++i) {
-			const bool common = cornerAt(other, corner(face, i)) >= 0;
-			side_[index(face)][index(i)] = common ? 0
-			                                      : orient3d(point(other, 0), point(other, 1),
-			                                                 point(other, 2), point(face, i));
-		}
-		const Signs& s = side_[index(face)];
-		return !(s[0] == s[1] && s[1] == s[2] && s[0] != 0);
-	}
-
 	const MeshArrays& mesh_;
 	std::array<FaceId, 2> face_;
 	std::array<const Triangle*, 2> corners_{};
 	std::array<Signs, 2> side_{};
+	std::array<std::array<bool, 3>, 2> common_{};  // per corner: it is one of the other face too
 	std::array<int, 9> edges_{kUnknownSign, kUnknownSign, kUnknownSign, kUnknownSign, kUnknownSign,
 	                          kUnknownSign, kUnknownSign, kUnknownSign, kUnknownSign};
 };
@@ -289,14 +306,28 @@ private:
 	bool overflow_ = false;
 };
 
+void addCommonCorners(const PairSigns& signs, PairContact& out) {
+	for (int i = 0; i < 3; ++i) {
+		if (signs.cornerAt(1, signs.corner(0, i)) >= 0) {
+			out.points[out.count++] = {PointKind::Vertex, 0, {signs.corner(0, i).value, 0, 0, 0}};
+		}
+	}
+}
+
 }  // namespace
 
 bool contactOf(const MeshArrays& mesh, FacePair pair, PairContact& out) {
 	out.generic = false;
 	out.count = 0;
 	PairSigns signs(mesh, pair);
-	if (!signs.straddle()) {
-		return true;
+	for (int face = 0; face < 2; ++face) {
+		if (!signs.reachesPlane(face)) {
+			return true;
+		}
+		if (signs.touchesInCommonCorners(face)) {
+			addCommonCorners(signs, out);
+			return true;
+		}
 	}
 	Ends ends;
 	if (genericContact(signs, ends)) {

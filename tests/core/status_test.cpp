@@ -68,7 +68,7 @@ TEST(Status, oneDefectIsSingular) {
 TEST(Status, placeHasSixSignificantDigits) {
 	const std::string text =
 	    describe(makeStatus(StatusCode::SelfIntersecting, 0, {1.0 / 3, -123456.789, 1e-30}));
-	EXPECT_EQ(text, "overlaps itself, near (0.333333, -123457, 1e-30)");
+	EXPECT_EQ(text, "intersects itself, near (0.333333, -123457, 1e-30)");
 }
 
 TEST(Status, textDoesNotDependOnTheLocale) {
