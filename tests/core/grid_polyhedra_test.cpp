@@ -1,0 +1,461 @@
+// SPDX-FileCopyrightText: 2026 The Index Boolean authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Random solids on a small integer grid, where every degeneracy occurs: exact volumes against an
+// independent oracle, what every block promises, and invariance. 1000 pairs, or as many as
+// INDEXBOOLEAN_FUZZ_PAIRS says; pair n is made from the seed n. A failing pair is made small and
+// printed.
+#include "shapes.h"
+#include "support/exact_block.h"
+#include "support/grid_polyhedra.h"
+#include "support/shrink.h"
+#include "support/stored_faces.h"
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+
+namespace index_boolean {
+namespace {
+
+using grid::GridMesh;
+using grid::Rational;
+using grid::SolidPair;
+using shapes::BooleanRun;
+using shapes::Mesh;
+
+std::uint32_t pairCount() {
+	const char* asked = std::getenv("INDEXBOOLEAN_FUZZ_PAIRS");
+	return asked == nullptr ? 1000 : static_cast<std::uint32_t>(std::strtoul(asked, nullptr, 10));
+}
+
+Mesh meshOf(const GridMesh& m) {
+	Mesh mesh;
+	for (const grid::IntPoint& p : m.points) {
+		mesh.points.push_back(
+		    {static_cast<double>(p[0]), static_cast<double>(p[1]), static_cast<double>(p[2])});
+	}
+	mesh.triangles = m.triangles;
+	return mesh;
+}
+
+// A third of the pairs run with the defaults, the others with any options.
+Options optionsOf(std::uint32_t seed) {
+	Options options;
+	options.threads = 1;
+	if (seed % 3 != 0) {
+		grid::Random random(seed);
+		options.octreeMaxDepth = 1 + static_cast<int>(random.below(20));
+		options.octreeLeafSize = static_cast<int>(random.below(3));
+		options.mergeFragments = random.oneIn(2);
+		options.mergeCoplanar = random.oneIn(2);
+		options.weldNonManifold = random.oneIn(2);
+		options.checkSelfIntersections = random.oneIn(2);
+	}
+	return options;
+}
+
+std::string text(const Options& o) {
+	return "octree " + std::to_string(o.octreeMaxDepth) + ' ' + std::to_string(o.octreeLeafSize) +
+	       (o.mergeFragments ? " mergeFragments" : "") + (o.mergeCoplanar ? " mergeCoplanar" : "") +
+	       (o.weldNonManifold ? " weldNonManifold" : "") +
+	       (o.checkSelfIntersections ? " checkSelfIntersections" : "");
+}
+
+// What is wrong with a pair; empty if nothing is.
+using Property = std::string (*)(const SolidPair&, const Options&);
+
+void expectOfEveryPair(Property defect) {
+	for (std::uint32_t seed = 0; seed < pairCount(); ++seed) {
+		const SolidPair pair = grid::randomPair(seed);
+		const Options options = optionsOf(seed);
+		const std::string found = defect(pair, options);
+		if (found.empty()) {
+			continue;
+		}
+		const auto fails = [&](const SolidPair& p) { return !defect(p, options).empty(); };
+		const SolidPair small = grid::shrunk(pair, fails);
+		FAIL() << "seed " << seed << " (" << text(options) << "): " << found
+		       << "\nmade small: " << defect(small, options) << "\nA: " << grid::text(small.a)
+		       << "\nB: " << grid::text(small.b) << "\nas it was:\nA: " << grid::text(pair.a)
+		       << "\nB: " << grid::text(pair.b);
+	}
+}
+
+// --- exact measures ----------------------------------------------------------------------------
+
+// The exact measures of all blocks of a pair, as the oracle has them.
+struct Expected {
+	std::array<Rational, kOperationCount> sixVolume;
+	// Twice the projections of the faces of union and intersection together, of both differences,
+	// and of the symmetric difference: each wall is kept once, or not at all.
+	std::array<Rational, 3> doubleProjections;
+
+	explicit Expected(const SolidPair& pair) {
+		const Rational a = grid::sixVolume(pair.a), b = grid::sixVolume(pair.b);
+		const Rational both = grid::sixVolumeOfBoth(pair.a, pair.b);
+		sixVolume = {a + b - both, both, a - both, b - both, a + b - both * 2};
+		const grid::CommonWalls walls = grid::commonWalls(pair.a, pair.b);
+		const Rational all = grid::doubleProjections(pair.a) + grid::doubleProjections(pair.b);
+		doubleProjections = {all - walls.oppositeWay * 2, all - walls.sameWay * 2,
+		                     all - walls.sameWay * 2 - walls.oppositeWay * 2};
+	}
+};
+
+// Whether the stored coordinates are the exact ones rounded to nearest: so is a quotient of two
+// integers below 2^53.
+bool isRounded(const Point& stored, const grid::FractionPoint& exact) {
+	for (std::size_t k = 0; k < 3; ++k) {
+		if (stored[k] != static_cast<double>(exact.x[k]) / static_cast<double>(exact.w)) {
+			return false;
+		}
+	}
+	return true;
+}
+
+// What is wrong with one block whose vertices all have names; fills its measure.
+std::string exactDefect(const Arrangement& arrangement, const Block& block,
+                        const Rational& sixVolume, grid::ExactMeasure& measure) {
+	measure = grid::exactMeasure(arrangement, block);
+	if (measure.sixVolume != sixVolume) {
+		return "six volumes are " + measure.sixVolume.text() + ", not " + sixVolume.text();
+	}
+	const std::vector<grid::FractionPoint> places = grid::placesOf(arrangement, block);
+	for (std::size_t v = 0; v < places.size(); ++v) {
+		if (!isRounded(block.points[v], places[v])) {
+			return "a vertex is not where its name says";
+		}
+	}
+	return grid::facesLieInTheirSources(arrangement, block) ? "" : "a face is not in its source";
+}
+
+// Whether the walls of all blocks together are those of the oracle.
+bool hasWalls(const std::array<grid::ExactMeasure, kOperationCount>& measures,
+              const Expected& expected) {
+	const auto walls = [&measures](Operation o) {
+		return measures[static_cast<std::size_t>(o)].doubleProjections;
+	};
+	return walls(Operation::Union) + walls(Operation::Intersection) ==
+	           expected.doubleProjections[0] &&
+	       walls(Operation::FirstMinusSecond) + walls(Operation::SecondMinusFirst) ==
+	           expected.doubleProjections[1] &&
+	       walls(Operation::SymmetricDifference) == expected.doubleProjections[2];
+}
+
+bool allVerticesHaveNames(const Block& block) {
+	return std::find(block.vertexSource.begin(), block.vertexSource.end(), VertexId::none()) ==
+	       block.vertexSource.end();
+}
+
+// As collected, before anything is rounded or cleaned; and as delivered: on so coarse a grid
+// nothing falls together in double.
+std::string measuresDefect(const SolidPair& pair, const Options& options) {
+	const Expected expected(pair);
+	Monitor monitor;
+	Arrangement arrangement;
+	const Status status =
+	    arrange(arrays(meshOf(pair.a), meshOf(pair.b)), options, monitor, arrangement);
+	if (!status.ok()) {
+		return "refused: " + describe(status);
+	}
+	for (const auto& [stage, blockOf] :
+	     {std::pair("collected ", collectBlock), std::pair("delivered ", extractBlock)}) {
+		std::array<grid::ExactMeasure, kOperationCount> measures;
+		bool named = true;
+		for (std::size_t k = 0; k < kOperationCount; ++k) {
+			const auto operation = static_cast<Operation>(k);
+			const std::string which = std::string(stage) + operationName(operation) + ": ";
+			Block block;
+			if (!blockOf(arrangement, operation, monitor, block).ok()) {
+				return which + "refused";
+			}
+			if (!allVerticesHaveNames(block)) {
+				named = false;
+				continue;
+			}
+			const std::string found =
+			    exactDefect(arrangement, block, expected.sixVolume[k], measures[k]);
+			if (!found.empty()) {
+				return which + found;
+			}
+		}
+		if (named && !hasWalls(measures, expected)) {
+			return std::string(stage) + "walls are lost or doubled";
+		}
+	}
+	return {};
+}
+
+TEST(GridPolyhedra, blocksHaveExactlyTheVolumesAndWallsOfTheOracle) {
+	expectOfEveryPair(measuresDefect);
+}
+
+// --- what every block promises -----------------------------------------------------------------
+
+std::string promisesDefect(const BooleanRun& r) {
+	const Options& options = r.arrangement.options;
+	const bool manifold = !options.weldNonManifold && options.outputScalar == OutputScalar::Double;
+	if (!r.status.ok()) {
+		return std::string(statusName(r.status.code)) + ": " + describe(r.status);
+	}
+	for (std::size_t k = 0; k < r.blocks.size(); ++k) {
+		const std::string broken = brokenPromise(r.blocks[k]);
+		if (!broken.empty() || !r.audit.blocks[k].closed) {
+			return broken + " in " + operationName(r.blocks[k].operation);
+		}
+		if (manifold && !shapes::isManifold(r.blocks[k].triangles)) {
+			return std::string("no manifold: ") + operationName(r.blocks[k].operation);
+		}
+	}
+	return r.audit.volumeLawResidual < 1e-6 ? "" : "the volume laws do not hold";
+}
+
+std::string deliveryDefect(const SolidPair& pair, const Options& options) {
+	return promisesDefect(run(meshOf(pair.a), meshOf(pair.b), options));
+}
+
+TEST(GridPolyhedra, deliveredBlocksKeepTheirPromises) { expectOfEveryPair(deliveryDefect); }
+
+// In float neighbouring points fall together, so that there is something to clean.
+std::string floatDeliveryDefect(const SolidPair& pair, const Options& given) {
+	Options options = given;
+	options.outputScalar = OutputScalar::Float;
+	return promisesDefect(run(meshOf(pair.a), meshOf(pair.b), options));
+}
+
+TEST(GridPolyhedra, blocksRoundedToFloatKeepTheirPromises) {
+	expectOfEveryPair(floatDeliveryDefect);
+}
+
+// --- invariance --------------------------------------------------------------------------------
+
+constexpr std::array<Operation, kOperationCount> kStraight{
+    Operation::Union, Operation::Intersection, Operation::FirstMinusSecond,
+    Operation::SecondMinusFirst, Operation::SymmetricDifference};
+constexpr std::array<Operation, kOperationCount> kSwapped{
+    Operation::Union, Operation::Intersection, Operation::SecondMinusFirst,
+    Operation::FirstMinusSecond, Operation::SymmetricDifference};
+
+std::string difference(const BooleanRun& one, const BooleanRun& other,
+                       const std::array<Operation, kOperationCount>& ofOther) {
+	if (one.status.code != other.status.code) {
+		return std::string(statusName(one.status.code)) + ", then " + statusName(other.status.code);
+	}
+	if (!one.status.ok()) {
+		return {};
+	}
+	for (std::size_t k = 0; k < kOperationCount; ++k) {
+		if (shapes::geometry(one.block(kStraight[k])) !=
+		    shapes::geometry(other.block(ofOther[k]))) {
+			return std::string("another ") + operationName(kStraight[k]);
+		}
+	}
+	return {};
+}
+
+std::string swapDefect(const SolidPair& pair, const Options& options) {
+	const Mesh a = meshOf(pair.a), b = meshOf(pair.b);
+	return difference(run(a, b, options), run(b, a, options), kSwapped);
+}
+
+TEST(GridPolyhedra, swappedOperandsGiveTheSameTriangles) { expectOfEveryPair(swapDefect); }
+
+std::string numberingDefect(const SolidPair& pair, const Options& given) {
+	const Mesh a = meshOf(pair.a), b = meshOf(pair.b);
+	std::mt19937 random(static_cast<std::uint32_t>(a.triangles.size() + b.triangles.size()));
+	const Mesh loose = shapes::soup(shapes::permuted(b, random));
+	for (const OutputScalar scalar : {OutputScalar::Double, OutputScalar::Float}) {
+		Options options = given;
+		options.outputScalar = scalar;
+		const std::string found = difference(
+		    run(a, b, options), run(shapes::permuted(a, random), loose, options), kStraight);
+		if (!found.empty()) {
+			return found + (scalar == OutputScalar::Float ? " in float" : "");
+		}
+	}
+	return {};
+}
+
+TEST(GridPolyhedra, otherNumberingsAndUnweldedCornersGiveTheSameTriangles) {
+	expectOfEveryPair(numberingDefect);
+}
+
+std::string threadsDefect(const SolidPair& pair, const Options& given) {
+	const Mesh a = meshOf(pair.a), b = meshOf(pair.b);
+	const BooleanRun one = run(a, b, given);
+	for (const int threads : {2, 8}) {
+		Options options = given;
+		options.threads = threads;
+		const std::string found = difference(one, run(a, b, options), kStraight);
+		if (!found.empty()) {
+			return found + " from " + std::to_string(threads) + " threads";
+		}
+	}
+	return {};
+}
+
+TEST(GridPolyhedra, anyNumberOfThreadsGivesTheSameTriangles) { expectOfEveryPair(threadsDefect); }
+
+// One pair is too small for a second thread: so many pairs side by side are one run.
+TEST(GridPolyhedra, manyPairsSideBySideAreTheSameForAnyNumberOfThreads) {
+	constexpr std::uint32_t kBeside = 200;
+	for (std::uint32_t first = 0; first < pairCount(); first += kBeside) {
+		SCOPED_TRACE("seeds from " + std::to_string(first));
+		GridMesh a, b;
+		double sixVolume = 0;
+		for (std::uint32_t i = 0; i < kBeside; ++i) {
+			const SolidPair pair = grid::randomPair(first + i);
+			const grid::IntPoint place{16 * (i % 6), 16 * (i / 6 % 6), 16 * (i / 36)};
+			a = grid::concatenated(a, moved(pair.a, place));
+			b = grid::concatenated(b, moved(pair.b, place));
+			sixVolume += grid::sixVolumeOfBoth(pair.a, pair.b).toDouble();
+		}
+		Options options;
+		options.threads = 1;
+		const BooleanRun one = run(meshOf(a), meshOf(b), options);
+		ASSERT_EQ(promisesDefect(one), "");
+		EXPECT_NEAR(one.volume(Operation::Intersection), sixVolume / 6, 1e-6);
+		for (const int threads : {2, 8}) {
+			options.threads = threads;
+			const BooleanRun other = run(meshOf(a), meshOf(b), options);
+			ASSERT_TRUE(other.status.ok());
+			for (std::size_t k = 0; k < kOperationCount; ++k) {
+				EXPECT_EQ(one.blocks[k].points, other.blocks[k].points);
+				EXPECT_EQ(one.blocks[k].triangles, other.blocks[k].triangles);
+			}
+		}
+	}
+}
+
+// --- the test's own tools ----------------------------------------------------------------------
+
+TEST(GridOracle, doesNotDependOnTheAxisNorOnTheOrder) {
+	for (std::uint32_t seed = 0; seed < 300; ++seed) {
+		const SolidPair pair = grid::randomPair(seed);
+		const Rational both = grid::sixVolumeOfBoth(pair.a, pair.b);
+		EXPECT_EQ(both, grid::sixVolumeOfBoth(pair.a, pair.b, 0)) << "seed " << seed;
+		EXPECT_EQ(both, grid::sixVolumeOfBoth(pair.a, pair.b, 1)) << "seed " << seed;
+		EXPECT_EQ(both, grid::sixVolumeOfBoth(pair.b, pair.a)) << "seed " << seed;
+		EXPECT_EQ(grid::sixVolumeOfBoth(pair.a, pair.a), grid::sixVolume(pair.a));
+	}
+}
+
+GridMesh gridBox(const grid::IntPoint& low, const grid::IntPoint& high) {
+	GridMesh m;
+	for (const Point& p : shapes::box({0, 0, 0}, {1, 1, 1}).points) {
+		m.points.push_back({p[0] == 0 ? low[0] : high[0], p[1] == 0 ? low[1] : high[1],
+		                    p[2] == 0 ? low[2] : high[2]});
+	}
+	m.triangles = shapes::box({0, 0, 0}, {1, 1, 1}).triangles;
+	return m;
+}
+
+TEST(GridOracle, knowsClosedForms) {
+	const GridMesh a = gridBox({0, 0, 0}, {4, 4, 4}), b = gridBox({3, 2, 4}, {8, 8, 8}),
+	               c = gridBox({3, 2, 1}, {4, 8, 8});
+	const GridMesh tip{{{0, 0, 0}, {8, 0, 0}, {0, 8, 0}, {0, 0, 8}},
+	                   {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}}};
+	EXPECT_EQ(grid::sixVolumeOfBoth(a, b), 0);
+	EXPECT_EQ(grid::sixVolumeOfBoth(a, c), 6 * 1 * 2 * 3);
+	EXPECT_EQ(grid::sixVolumeOfBoth(a, tip), 6 * 64 - 64);  // but for the corner beyond x+y+z = 8
+	EXPECT_EQ(grid::commonWalls(a, b).oppositeWay, 2 * 1 * 2);
+	EXPECT_EQ(grid::commonWalls(a, b).sameWay, 0);
+	EXPECT_EQ(grid::commonWalls(a, c).sameWay, 2 * 2 * 3);
+}
+
+TEST(GridOracle, refusesWhatIsNoSolid) {
+	const GridMesh large = gridBox({0, 0, 0}, {6, 6, 6}), small = gridBox({1, 1, 1}, {2, 2, 2});
+	EXPECT_TRUE(isSolid(large));
+	EXPECT_FALSE(isSolid(turned(large)));
+	EXPECT_FALSE(isSolid(grid::concatenated(large, small))) << "nested";
+	EXPECT_TRUE(isSolid(grid::concatenated(large, turned(small)))) << "a cavity";
+	EXPECT_FALSE(isSolid(grid::concatenated(large, gridBox({5, 5, 5}, {7, 7, 7})))) << "overlap";
+	EXPECT_FALSE(isSolid(grid::concatenated(large, gridBox({6, 1, 1}, {7, 2, 2})))) << "on a face";
+	GridMesh open = large;
+	open.triangles.pop_back();
+	EXPECT_FALSE(isSolid(open));
+}
+
+// How often each kind of degeneracy occurs in the pairs.
+struct Census {
+	int fourFaceEdges = 0, components = 0, identical = 0, allCornersOnOther = 0;
+	int touchingOnly = 0, apart = 0, sameWalls = 0, oppositeWalls = 0;
+	int cornerOnCorner = 0, cornerOnEdge = 0, cornerOnFace = 0, edgesCross = 0, edgePiercesFace = 0;
+
+	void addOperand(const GridMesh& m) {
+		std::map<std::array<std::uint32_t, 2>, int> faces;
+		for (const grid::Corners& t : m.triangles) {
+			for (std::size_t i = 0; i < 3; ++i) {
+				++faces[{std::min(t[i], t[(i + 1) % 3]), std::max(t[i], t[(i + 1) % 3])}];
+			}
+		}
+		fourFaceEdges +=
+		    std::any_of(faces.begin(), faces.end(), [](const auto& e) { return e.second > 2; }) ? 1
+		                                                                                        : 0;
+	}
+
+	void addContacts(const SolidPair& pair, const BooleanRun& r) {
+		const auto countNames = [&r](PointKind kind) {
+			const auto& names = r.arrangement.curve.names;
+			return std::any_of(names.begin(), names.end(),
+			                   [kind](const PointName& n) { return n.kind == kind; })
+			           ? 1
+			           : 0;
+		};
+		edgesCross += countNames(PointKind::EdgeEdge);
+		edgePiercesFace += countNames(PointKind::EdgeFace);
+		bool touches = !r.arrangement.curve.names.empty();
+		for (const auto& [one, other] :
+		     {std::pair(&pair.a, &pair.b), std::pair(&pair.b, &pair.a)}) {
+			std::size_t on = 0;
+			for (const grid::IntPoint& p : one->points) {
+				on += grid::isOnSurface(*other, p) ? 1U : 0U;
+				const bool common = std::count(other->points.begin(), other->points.end(), p) != 0;
+				cornerOnCorner += common ? 1 : 0;
+				cornerOnEdge += !common && grid::isOnEdge(*other, p) ? 1 : 0;
+				cornerOnFace += !grid::isOnEdge(*other, p) && grid::isOnSurface(*other, p) ? 1 : 0;
+			}
+			touches = touches || on > 0;
+			allCornersOnOther += on == one->points.size() ? 1 : 0;
+		}
+		const bool apartInside = r.block(Operation::Intersection).triangles.empty();
+		touchingOnly += touches && apartInside ? 1 : 0;
+		apart += !touches && apartInside ? 1 : 0;
+	}
+};
+
+TEST(GridPolyhedra, everyDegeneracyOccurs) {
+	Census census;
+	for (std::uint32_t seed = 0; seed < 400; ++seed) {
+		const SolidPair pair = grid::randomPair(seed);
+		const BooleanRun r = run(meshOf(pair.a), meshOf(pair.b));
+		ASSERT_TRUE(r.status.ok()) << "seed " << seed;
+		census.addOperand(pair.a);
+		census.addOperand(pair.b);
+		census.addContacts(pair, r);
+		census.components += r.arrangement.labels.components[0] > 1 ? 1 : 0;
+		const grid::CommonWalls walls = grid::commonWalls(pair.a, pair.b);
+		census.sameWalls += walls.sameWay != 0 ? 1 : 0;
+		census.oppositeWalls += walls.oppositeWay != 0 ? 1 : 0;
+		census.identical += r.block(Operation::SymmetricDifference).triangles.empty() ? 1 : 0;
+	}
+	for (const auto& [what, count] :
+	     {std::pair("edges with four faces", census.fourFaceEdges),
+	      std::pair("several components", census.components),
+	      std::pair("the same solid twice", census.identical),
+	      std::pair("all corners on the other", census.allCornersOnOther),
+	      std::pair("touching only", census.touchingOnly), std::pair("apart", census.apart),
+	      std::pair("walls that face the same way", census.sameWalls),
+	      std::pair("walls that face each other", census.oppositeWalls),
+	      std::pair("corner on corner", census.cornerOnCorner),
+	      std::pair("corner on edge", census.cornerOnEdge),
+	      std::pair("corner on face", census.cornerOnFace),
+	      std::pair("edges that cross", census.edgesCross),
+	      std::pair("an edge that pierces a face", census.edgePiercesFace)}) {
+		EXPECT_GE(count, 5) << what;
+		RecordProperty(what, count);
+	}
+}
+
+}  // namespace
+}  // namespace index_boolean
