@@ -164,13 +164,20 @@ struct Loop {
 	std::vector<VertexId> points;
 };
 
+// Faces of an operand on the same three vertices, which have been dropped.
+struct DuplicateFaces {
+	std::array<std::size_t, 2> cancelledPairs{};  // per operand: pairs of a face and its opposite
+	std::array<std::size_t, 2> takenOnce{};  // per operand: faces equal to another that is kept
+};
+
 struct Arrangement {
 	Options options;
 	MeshArrays mesh;                       // welded, without degenerate faces, right side out
 	std::vector<std::uint32_t> faceGiven;  // per face: its index in the operand as given; see below
 	std::vector<VertexId> nonManifold;     // at which an operand is no manifold; ascending
 	std::array<bool, 2> turned{};          // the operand was inside out and has been turned
-	std::array<double, 2> volume{};        // of each operand
+	DuplicateFaces duplicates;
+	std::array<double, 2> volume{};  // of each operand
 	Curve curve;
 	Refinement refinement;
 	std::vector<Loop> loops;
