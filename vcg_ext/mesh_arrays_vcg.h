@@ -9,6 +9,7 @@
 #pragma once
 
 #include "mesh_arrays.h"
+#include "mesh_checks.h"
 #include "parallel.h"
 
 #include <vcg/complex/complex.h>
@@ -120,12 +121,16 @@ inline void growArrays(std::size_t vertexCount, std::size_t faceCount, int opera
 // \param operand   0 or 1
 // \param out       both operands' arrays
 // \param faces     replaced: which of the mesh's faces the operand's faces are
-// \return Ok or Cancelled. Throws std::bad_alloc.
+// \return Ok, Cancelled, or TooLarge before anything is read. Throws std::bad_alloc.
 // Complexity: O(n), in parallel.
 template <class TriMesh>
 Status appendOperand(const TriMesh& mesh,
                      const vcg::Matrix44<typename TriMesh::ScalarType>& transform, int operand,
                      Monitor& monitor, MeshArrays& out, LiveElements& faces) {
+	Status status = checkCounts(out.points.size() + static_cast<std::size_t>(mesh.vn),
+	                            out.triangles.size() + static_cast<std::size_t>(mesh.fn));
+	if (!status.ok())
+		return status;
 	const LiveElements vertices = liveElements(mesh.vert, mesh.vn);
 	faces = liveElements(mesh.face, mesh.fn);
 	growArrays(vertices.count, faces.count, operand, out);
@@ -137,7 +142,7 @@ Status appendOperand(const TriMesh& mesh,
 			             static_cast<double>(p[2])};
 		}
 	};
-	Status status = parallelFor(vertices.count, kElementGrain, 0, monitor, readPoints);
+	status = parallelFor(vertices.count, kElementGrain, 0, monitor, readPoints);
 	if (!status.ok())
 		return status;
 

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Index Boolean authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// in: triangles; out: a checksum of their boundary, or the boundary's edges and faces.
+// in: counts; out: whether they are within the limit. in: triangles; out: a checksum of their
+// boundary, or the boundary's edges and faces.
 #include "mesh_checks.h"
 
 #include "parallel.h"
@@ -78,6 +79,16 @@ std::vector<Side> sortedSides(const Triangle* begin, const Triangle* end) {
 }
 
 }  // namespace
+
+Status checkCounts(std::size_t points, std::size_t faces) {
+	Status status;
+	const std::size_t most = std::max(points, faces);
+	if (most > kMostElements) {
+		status.code = StatusCode::TooLarge;
+		status.count = most;
+	}
+	return status;
+}
 
 Status boundaryChecksum(const Triangle* begin, const Triangle* end, int threads, Monitor& monitor,
                         std::uint64_t& sum) {

@@ -1,9 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The Index Boolean authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// in: triangles; out: whether each directed edge occurs as often as its reverse, and if not, where
-// it does not. Guarantee: the fast answer is wrong with a probability of 2^-64 only, and only where
-// an open surface is called closed; the slow one is exact.
+// in: counts; out: whether ids can hold them. in: triangles; out: whether each directed edge occurs
+// as often as its reverse, and if not, where it does not. Guarantee: the fast answer is wrong with
+// a probability of 2^-64 only, and only where an open surface is called closed; the slow one is
+// exact.
 #pragma once
 
 #include "ids.h"
@@ -13,6 +14,12 @@
 #include <vector>
 
 namespace index_boolean {
+
+// The most points, and the most faces, that both operands may have together.
+constexpr std::size_t kMostElements = 0x7fffffff;
+
+// \return Ok, or TooLarge with the larger count, of no operand in particular. O(1).
+Status checkCounts(std::size_t points, std::size_t faces);
 
 // Sums a 64-bit hash of each edge's vertices over all directed edges of the triangles [begin, end),
 // modulo 2^64: plus from the smaller to the larger vertex, minus in reverse.

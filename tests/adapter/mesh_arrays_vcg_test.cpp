@@ -132,6 +132,27 @@ TYPED_TEST(MeshArraysVcg, theSecondOperandFollowsTheFirst) {
 	EXPECT_EQ(arrays.triangles[4][0], VertexId{4});
 }
 
+// No mesh that large is needed: the counts are looked at before anything else.
+TYPED_TEST(MeshArraysVcg, countsBeyondTheLimitAreRefusedBeforeAnythingIsRead) {
+	TypeParam first, tooManyVertices, tooManyFaces;
+	write(tetrahedron(1), first);
+	tooManyVertices.vn = std::numeric_limits<int>::max();
+	tooManyFaces.fn = std::numeric_limits<int>::max() - 3;
+	MeshArrays arrays;
+	read(first, TestFixture::Matrix::Identity(), 0, arrays);
+	for (const auto& [mesh, count] : {std::pair<const TypeParam*, std::size_t>{&tooManyVertices, 4},
+	                                  std::pair<const TypeParam*, std::size_t>{&tooManyFaces, 1}}) {
+		Monitor monitor;
+		LiveElements faces;
+		const Status status =
+		    appendOperand(*mesh, TestFixture::Matrix::Identity(), 1, monitor, arrays, faces);
+		EXPECT_EQ(status.code, StatusCode::TooLarge);
+		EXPECT_EQ(status.count, (std::size_t{1} << 31) - 1 + count);
+		EXPECT_EQ(arrays.points.size(), 4u);
+		EXPECT_EQ(arrays.triangles.size(), 4u);
+	}
+}
+
 TYPED_TEST(MeshArraysVcg, deletedElementsAreLeftOutAndFacesAreFoundAgain) {
 	using Allocator = vcg::tri::Allocator<TypeParam>;
 	TypeParam mesh;

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Index Boolean authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Closedness by checksum and by search, against a count of directed edges that shares no code.
+// The limit of counts; closedness by checksum and by search, against a count of directed edges that
+// shares no code.
 #include "shapes.h"
 
 #include <vcg_ext/mesh_checks.h>
@@ -51,6 +52,27 @@ void expectClosed(const std::vector<Corners>& triangles) {
 const std::vector<Corners> kTetrahedron = {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}};
 
 }  // namespace
+
+TEST(MeshChecks, countsUpToTheLimitAreAccepted) {
+	constexpr std::size_t kLimit = (std::size_t{1} << 31) - 1;
+	for (const std::size_t count : {std::size_t{0}, std::size_t{1}, kLimit}) {
+		EXPECT_TRUE(checkCounts(count, kLimit).ok());
+		EXPECT_TRUE(checkCounts(kLimit, count).ok());
+	}
+}
+
+TEST(MeshChecks, countsBeyondTheLimitAreTooLarge) {
+	constexpr std::size_t kTwoTo31 = std::size_t{1} << 31;
+	for (const std::size_t count : {kTwoTo31, kTwoTo31 + 1, 2 * kTwoTo31, 2 * kTwoTo31 + 7}) {
+		for (const Status& status :
+		     {checkCounts(count, 12), checkCounts(8, count), checkCounts(count, count)}) {
+			EXPECT_EQ(status.code, StatusCode::TooLarge);
+			EXPECT_EQ(status.count, count);
+			EXPECT_EQ(status.operand, -1);
+			EXPECT_NE(describe(status).find(std::to_string(count)), std::string::npos);
+		}
+	}
+}
 
 TEST(MeshChecks, closedSurfacesAreClosed) {
 	expectClosed({});

@@ -1,0 +1,108 @@
+// SPDX-FileCopyrightText: 2026 The Index Boolean authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Operands at the edge of what is accepted, in both places, at the stage that judges them.
+#include "shapes.h"
+
+#include <vcg_ext/operands.h>
+
+#include <gtest/gtest.h>
+
+namespace index_boolean {
+namespace {
+
+using namespace shapes;
+
+const Mesh kUnit = box({0, 0, 0}, {1, 1, 1});
+
+Status prepared(const MeshArrays& mesh) {
+	Arrangement arrangement;
+	arrangement.mesh = mesh;
+	Monitor monitor;
+	return prepareOperands(arrangement, monitor);
+}
+
+void expectRefused(const Mesh& mesh, StatusCode code, std::size_t count) {
+	for (const int operand : {0, 1}) {
+		const Status status = prepared(operand == 0 ? arrays(mesh, kUnit) : arrays(kUnit, mesh));
+		EXPECT_EQ(status.code, code) << statusName(status.code);
+		EXPECT_EQ(status.operand, operand);
+		EXPECT_EQ(status.count, count);
+	}
+}
+
+TEST(Operands, noElementAtAllIsAnEmptyOperand) {
+	expectRefused({}, StatusCode::EmptyOperand, 0);
+	EXPECT_EQ(prepared(arrays({}, {})).operand, 0);
+	EXPECT_EQ(prepared(MeshArrays{}).code, StatusCode::EmptyOperand);
+}
+
+TEST(Operands, verticesAloneAreAnEmptyOperand) {
+	Mesh cloud = kUnit;
+	cloud.triangles.clear();
+	expectRefused(cloud, StatusCode::EmptyOperand, 0);
+}
+
+TEST(Operands, facesThatCollapseLeaveAnEmptyOperand) {
+	Mesh collapsed = kUnit;
+	collapsed.triangles = {{0, 0, 1}, {2, 3, 2}, {4, 4, 4}};
+	expectRefused(collapsed, StatusCode::EmptyOperand, 0);
+	Mesh point = kUnit;
+	point.points.assign(8, Point{1, -0.0, 0});
+	expectRefused(point, StatusCode::EmptyOperand, 0);
+}
+
+TEST(Operands, oneFaceIsOpen) {
+	Mesh one = kUnit;
+	one.triangles.resize(1);
+	expectRefused(one, StatusCode::NotClosed, 3);
+}
+
+TEST(Operands, aFaceAndItsOppositeEncloseNothing) {
+	Mesh flat = kUnit;
+	flat.triangles = {{0, 1, 2}, {2, 1, 0}};
+	expectRefused(flat, StatusCode::NoVolume, 0);
+}
+
+TEST(Operands, everyKindOfNumberThatIsNotFiniteIsRefusedInAnyCoordinate) {
+	const double infinity = std::numeric_limits<double>::infinity();
+	for (const double bad : {std::nan(""), -std::nan(""), infinity, -infinity}) {
+		for (std::size_t axis = 0; axis < 3; ++axis) {
+			Mesh mesh = kUnit;
+			mesh.points[0][axis] = bad;
+			expectRefused(mesh, StatusCode::NotFinite, 6);
+		}
+	}
+}
+
+TEST(Operands, theLargestAndTheSmallestNumbersAreFinite) {
+	const double largest = std::numeric_limits<double>::max();
+	const double smallest = std::numeric_limits<double>::denorm_min();
+	for (const double size : {largest, smallest}) {
+		const Mesh mesh = box({-size, -size, -size}, {size, size, size});
+		EXPECT_TRUE(prepared(arrays(mesh, kUnit)).ok()) << size;
+	}
+}
+
+TEST(Operands, verticesThatDoNotExistAreRefused) {
+	for (const std::uint32_t bad : {8u, 100u, 0x7fffffffu, 0xffffffffu}) {
+		MeshArrays mesh = arrays(kUnit, kUnit);
+		mesh.triangles[15][1] = VertexId{8 + bad};
+		const Status status = prepared(mesh);
+		EXPECT_EQ(status.code, StatusCode::IndexOutOfRange) << bad;
+		EXPECT_EQ(status.operand, 1);
+		EXPECT_EQ(status.faces, (std::vector<std::uint32_t>{3}));
+	}
+}
+
+TEST(Operands, aVertexOfTheOtherOperandDoesNotExistInThisOne) {
+	MeshArrays mesh = arrays(kUnit, kUnit);
+	mesh.triangles[15][1] = VertexId{3};
+	EXPECT_EQ(prepared(mesh).operand, 1);
+	mesh = arrays(kUnit, kUnit);
+	mesh.triangles[5][1] = VertexId{12};
+	EXPECT_EQ(prepared(mesh).operand, 0);
+}
+
+}  // namespace
+}  // namespace index_boolean
