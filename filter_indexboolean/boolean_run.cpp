@@ -47,6 +47,7 @@ Status runBoolean(MeshArrays input, const BooleanRequest& request, Progress& pro
 	if (!status.ok())
 		return status;
 	result.turned = arrangement.turned;
+	result.duplicates = arrangement.duplicates;
 	result.loopCounts = arrangement.loopCounts;
 	result.stageTimes = arrangement.stageTimes;
 

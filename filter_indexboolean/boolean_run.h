@@ -20,6 +20,7 @@ struct BooleanRequest {
 
 struct BooleanResult {
 	std::array<bool, 2> turned{};
+	DuplicateFaces duplicates;
 	LoopCounts loopCounts;
 	std::vector<Block> blocks;  // one for each operation requested
 	Audit audit;                // of these blocks

@@ -26,7 +26,8 @@ const char* const kBooleanHelp =
     "are, and the coordinates of all points are correctly rounded. Vertices away from the "
     "intersection keep their coordinates bit by bit.<br>"
     "The layers may have any number of components and cavities. They must be closed, consistently "
-    "oriented and free of self-intersections; an inside-out layer is turned, and the log says so. "
+    "oriented and free of self-intersections; an inside-out layer is turned, faces that are there "
+    "twice are taken once, and the log says so. "
     "A layer that cannot be used is refused with its defect, and the faces in question are left "
     "selected.<br>"
     "The layers' matrices are applied. An empty block is an empty layer.<br>";
@@ -53,6 +54,24 @@ FilterDefinition booleanDefinition() {
 	         "A new layer with the boundary of all that is inside B and not inside A."},
 	        {"symmetric_difference", Kind::Bool, 0, 0, 1, false, "Symmetric difference",
 	         "A new layer with the boundary of all that is inside exactly one of A and B."},
+	        {"merge_fragments", Kind::Bool, 1, 0, 1, false, "Merge fragments",
+	         "Cuts that separate nothing in a block leave no trace in it: fragments of one face "
+	         "become one again, and new points on its edges that serve nothing are dropped. Off: "
+	         "the blocks keep all cuts, so that neighbouring blocks have the same faces where "
+	         "they touch."},
+	        {"merge_coplanar", Kind::Bool, 0, 0, 1, false, "Merge coplanar faces",
+	         "Neighbouring faces of a block that are exactly coplanar are merged too, and vertices "
+	         "inside straight edges are dropped: the fewest faces, at the cost of vertices and "
+	         "edges of the layers. Off: vertices of the layers stay."},
+	        {"weld_non_manifold", Kind::Bool, 0, 0, 1, false, "Weld non-manifold vertices",
+	         "Where a block meets itself in an edge or a vertex, it keeps one vertex instead of "
+	         "copies: edges with four faces. Off: copies of vertices pull the faces apart, so that "
+	         "each block is a manifold mesh."},
+	        {"check_self_intersections", Kind::Bool, 0, 0, 1, false, "Check for self-intersections",
+	         "Searches each layer for faces that meet others of the same layer anywhere but in a "
+	         "common vertex or edge, before anything else; a layer that has any is refused, and "
+	         "all of them are selected. Off: self-intersections are noticed only where the other "
+	         "layer comes near."},
 	        {"octree_max_depth", Kind::Int, 12, 1, 20, true, "Octree: maximum depth",
 	         "How often the octree that finds the pairs of faces to intersect may divide a node: "
 	         "1 to 20. Changes the running time, never the result."},

@@ -56,6 +56,19 @@ int readInt(const char* name, const RichParameterList& parameters) {
 	return value;
 }
 
+Options readOptions(const RichParameterList& parameters) {
+	Options options;
+	options.octreeMaxDepth = readInt("octree_max_depth", parameters);
+	options.octreeLeafSize = readInt("octree_leaf_size", parameters);
+	options.outputScalar =
+	    sizeof(Scalarm) == sizeof(float) ? OutputScalar::Float : OutputScalar::Double;
+	options.mergeFragments = parameters.getBool("merge_fragments");
+	options.mergeCoplanar = parameters.getBool("merge_coplanar");
+	options.weldNonManifold = parameters.getBool("weld_non_manifold");
+	options.checkSelfIntersections = parameters.getBool("check_self_intersections");
+	return options;
+}
+
 std::vector<Operation> readOperations(const RichParameterList& parameters) {
 	std::vector<Operation> operations;
 	for (const BlockDefinition& block : kBlockDefinitions) {
@@ -75,10 +88,7 @@ Task readTask(const RichParameterList& parameters, MeshDocument& document) {
 	if (task.layers[0] == task.layers[1])
 		throw refusal(sameLayerMessage(task.names[0]));
 	task.request.operations = readOperations(parameters);
-	task.request.options.octreeMaxDepth = readInt("octree_max_depth", parameters);
-	task.request.options.octreeLeafSize = readInt("octree_leaf_size", parameters);
-	task.request.options.outputScalar =
-	    sizeof(Scalarm) == sizeof(float) ? OutputScalar::Float : OutputScalar::Double;
+	task.request.options = readOptions(parameters);
 	return task;
 }
 
@@ -116,6 +126,10 @@ std::vector<std::string> findings(const BooleanResult& result, const AdapterSeco
 	for (std::size_t k = 0; k < names.size(); ++k) {
 		if (result.turned[k])
 			messages.push_back(turnedMessage(names[k]));
+		const std::size_t once = result.duplicates.takenOnce[k];
+		const std::size_t cancelled = result.duplicates.cancelledPairs[k];
+		if (once + cancelled > 0)
+			messages.push_back(duplicatesMessage(names[k], once, cancelled));
 	}
 	for (std::size_t i = 0; i < result.blocks.size(); ++i) {
 		const Block& block = result.blocks[i];

@@ -58,9 +58,12 @@ constexpr std::array<Remedy, kStatusCodeCount> kRemedies{{
      "Orientation\" (meshing_invert_face_orientation) on the selection; unite components that lie "
      "inside each other first, as two layers."},
     {StatusCode::SelfIntersecting, Subject::OneLayer,
-     "The faces found are selected. \"Select Self Intersecting Faces\" "
-     "(compute_selection_by_self_intersections_per_face) shows all of them; delete them and close "
-     "the holes with \"Close Holes\" (meshing_close_holes)."},
+     "The faces found are selected. Set check_self_intersections to have all of them found; "
+     "\"Select Self Intersecting Faces\" (compute_selection_by_self_intersections_per_face) shows "
+     "those that cross. Delete them and close the holes with \"Close Holes\" "
+     "(meshing_close_holes); or, where components overlap each other, part them with \"Split in "
+     "Connected Components\" (generate_splitting_by_connected_components) and unite them by this "
+     "filter."},
     {StatusCode::InternalError, Subject::Run,
      "Nothing was changed: no result is better than a wrong one. Both layers, as they are, belong "
      "to the report."},
@@ -144,6 +147,18 @@ std::string unexpectedMessage(const char* what) {
 std::string turnedMessage(const LayerName& layer) {
 	return "Layer " + quoted(layer) +
 	       " is inside out, or mirrored by its matrix: its faces were taken right side out.";
+}
+
+std::string duplicatesMessage(const LayerName& layer, std::size_t takenOnce,
+                              std::size_t cancelledPairs) {
+	std::string text = "Layer " + quoted(layer) + " has faces on the same three vertices: ";
+	if (takenOnce > 0)
+		text += counted(takenOnce, "duplicate face") + (takenOnce == 1 ? " was" : " were") +
+		        " taken once";
+	if (cancelledPairs > 0)
+		text +=
+		    (takenOnce > 0 ? ", " : "") + counted(cancelledPairs, "opposite pair") + " cancelled";
+	return text + ".";
 }
 
 std::string blockMessage(const Block& block, const BlockMeasure& measure,

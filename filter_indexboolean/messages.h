@@ -37,6 +37,11 @@ std::string unexpectedMessage(const char* what);
 // The core has turned the layer's faces: it was inside out, or its matrix mirrors it.
 std::string turnedMessage(const LayerName& layer);
 
+// Faces of the layer on the same three vertices as others have been left out: `takenOnce` that are
+// equal to another, `cancelledPairs` of opposite ones. Not both are 0.
+std::string duplicatesMessage(const LayerName& layer, std::size_t takenOnce,
+                              std::size_t cancelledPairs);
+
 // What a block is like, for those who see the log and not the result map.
 std::string blockMessage(const Block& block, const BlockMeasure& measure, const LayerNames& layers);
 

@@ -23,11 +23,12 @@ class JobError(Exception):
     """A file that cannot be read or written, or operands that the filter refuses."""
 
 
-def run_boolean_job(first, second, folder, blocks, file_format, on_progress):
+def run_boolean_job(first, second, folder, blocks, file_format, on_progress, **parameters):
     """Writes folder/<block>.<file_format> for each of blocks, then folder/result.json.
 
-    first, second and folder are pathlib.Path; on_progress is that of host_call. Returns (the
-    filter's result map, the messages that it logged). Raises HostError, JobError or OSError.
+    first, second and folder are pathlib.Path; on_progress is that of host_call; parameters are
+    those of the filter that are not named here. Returns (the filter's result map, the messages that
+    it logged). Raises HostError, JobError or OSError.
     """
     load_plugin()
     import pymeshlab
@@ -36,12 +37,12 @@ def run_boolean_job(first, second, folder, blocks, file_format, on_progress):
     operands = [_load(meshes, path, on_progress) for path in (first, second)]
     folder.mkdir(parents=True, exist_ok=True)
 
-    wanted = {block: block in blocks for block in BLOCKS}
+    parameters.update((block, block in blocks) for block in BLOCKS)
     meshes.set_verbosity(True)
     try:
         result, messages = host_call(
             lambda: meshes.generate_index_boolean(
-                first_mesh=operands[0], second_mesh=operands[1], **wanted
+                first_mesh=operands[0], second_mesh=operands[1], **parameters
             ),
             on_progress,
         )

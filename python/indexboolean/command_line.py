@@ -19,6 +19,11 @@ from rich.table import Column, Table
 from .boolean_job import BLOCKS, DEFAULT_BLOCKS, FORMATS, JobError, run_boolean_job
 from .plugin import HostError
 
+# The options that are parameters of the filter, by the same names.
+_SWITCHES = (
+    "merge_fragments", "merge_coplanar", "weld_non_manifold", "check_self_intersections",
+)
+
 
 def main(arguments=None):
     """Runs one command; returns the exit status."""
@@ -56,6 +61,24 @@ def _parser():
         "--format", choices=FORMATS, default="ply",
         help="of the blocks (default: ply, binary, which alone keeps every bit)",
     )
+    boolean.add_argument(
+        "--no-merge-fragments", dest="merge_fragments", action="store_false",
+        help="keep cuts that separate nothing in a block: blocks that touch then have the same "
+        "faces there",
+    )
+    boolean.add_argument(
+        "--merge-coplanar", action="store_true",
+        help="merge neighbouring faces that are exactly coplanar, and drop collinear vertices",
+    )
+    boolean.add_argument(
+        "--weld-non-manifold", action="store_true",
+        help="where a block meets itself keep one vertex instead of copies (edges with four faces)",
+    )
+    boolean.add_argument(
+        "--check-self-intersections", action="store_true",
+        help="first search each mesh for faces that meet others anywhere but in a common vertex or "
+        "edge, and refuse it if there are any",
+    )
     boolean.set_defaults(run=_run_boolean)
     return parser
 
@@ -76,7 +99,7 @@ def _run_boolean(options):
             with _progress_bar(console) as on_progress:
                 result, messages = run_boolean_job(
                     options.first, options.second, options.folder, options.only, options.format,
-                    on_progress,
+                    on_progress, **{name: getattr(options, name) for name in _SWITCHES},
                 )
         except (HostError, JobError, OSError) as error:
             console.print(f"error: {error}", style="red", markup=False)

@@ -79,6 +79,26 @@ TEST(Messages, anEmptyBlockSaysWhyForEachOperation) {
 	                     "\"50% cube\" (id 7) lies within \"bunny.ply\" (id 3)"));
 }
 
+TEST(Messages, duplicateFacesAreCountedByWhatBecameOfThem) {
+	EXPECT_EQ(duplicatesMessage(kLayers[0], 12, 0),
+	          "Layer \"bunny.ply\" (id 3) has faces on the same three vertices: 12 duplicate faces "
+	          "were taken once.");
+	EXPECT_EQ(duplicatesMessage(kLayers[0], 0, 1),
+	          "Layer \"bunny.ply\" (id 3) has faces on the same three vertices: 1 opposite pair "
+	          "cancelled.");
+	EXPECT_EQ(
+	    duplicatesMessage(kLayers[1], 1, 2),
+	    "Layer \"50% cube\" (id 7) has faces on the same three vertices: 1 duplicate face was "
+	    "taken once, 2 opposite pairs cancelled.");
+}
+
+TEST(Messages, aSelfIntersectionIsSentToTheFullSearchAndToTheHostsOwn) {
+	const std::string message = refusal(StatusCode::SelfIntersecting, 1);
+	EXPECT_TRUE(contains(message, "intersects itself: 12345 faces are concerned")) << message;
+	EXPECT_TRUE(contains(message, "check_self_intersections")) << message;
+	EXPECT_TRUE(contains(message, "compute_selection_by_self_intersections_per_face")) << message;
+}
+
 TEST(Messages, theLogTellsFacesComponentsVolumeAndArea) {
 	Block block;
 	block.operation = Operation::FirstMinusSecond;
@@ -112,6 +132,20 @@ TEST(FilterDefinitions, everyDefaultIsAccepted) {
 			}
 		}
 	}
+}
+
+TEST(FilterDefinitions, switchesHaveTheDefaultsOfTheCore) {
+	const auto defaultOf = [](const char* name) {
+		const auto& parameter = parameterDefinition(FilterId::GenerateIndexBoolean, name);
+		EXPECT_EQ(parameter.kind, ParameterKind::Bool);
+		EXPECT_FALSE(parameter.advanced);
+		return parameter.defaultValue != 0;
+	};
+	const Options options;
+	EXPECT_EQ(defaultOf("merge_fragments"), options.mergeFragments);
+	EXPECT_EQ(defaultOf("merge_coplanar"), options.mergeCoplanar);
+	EXPECT_EQ(defaultOf("weld_non_manifold"), options.weldNonManifold);
+	EXPECT_EQ(defaultOf("check_self_intersections"), options.checkSelfIntersections);
 }
 
 TEST(FilterDefinitions, labelsAreMadeOfBothInputsLabels) {

@@ -53,6 +53,11 @@ def joined(*meshes):
     )
 
 
+def crossing_bars():
+    """Two components that cross; no vertex of one lies in the other."""
+    return joined(box((-2, -0.5, -0.25), (2, 0.5, 0.75)), box((-0.5, -2, -0.5), (0.75, 2, 0.5)))
+
+
 def document(*meshes):
     """A MeshSet with a layer for each mesh, labelled A, B, C, ..."""
     mesh_set = pymeshlab.MeshSet()

@@ -13,6 +13,8 @@ import numpy
 import pymeshlab
 import pytest
 
+from conftest import box, crossing_bars
+
 SAMPLES = pathlib.Path(__file__).parents[2] / "sample_meshes"
 FIRST, SECOND = SAMPLES / "bumpy_sphere.ply", SAMPLES / "ribbed_torus.ply"
 FOUR_BLOCKS = ["union", "intersection", "first_minus_second", "second_minus_first"]
@@ -113,6 +115,23 @@ def test_openOperandIsRefusedByName(tmp_path):
     assert "opened.ply" in done.stderr
     assert "not closed" in done.stderr
     assert not (tmp_path / "out" / "result.json").exists()
+
+
+def test_switchesReachTheFilter(tmp_path):
+    files = []
+    for name, mesh in (("bars", crossing_bars()), ("far", box((10, 10, 10), (11, 11, 11)))):
+        meshes = pymeshlab.MeshSet()
+        meshes.add_mesh(pymeshlab.Mesh(*mesh))
+        files.append(tmp_path / f"{name}.ply")
+        meshes.save_current_mesh(str(files[-1]))
+    switches = "--no-merge-fragments", "--merge-coplanar", "--weld-non-manifold"
+    done = run("boolean", *files, "-o", tmp_path / "out", *switches)
+    assert done.returncode == 0, done.stderr
+    switches += ("--check-self-intersections",)
+    done = run("boolean", *files, "-o", tmp_path / "out", *switches)
+    assert done.returncode == 1
+    assert "bars.ply" in done.stderr
+    assert "intersects itself" in done.stderr
 
 
 @pytest.mark.parametrize(

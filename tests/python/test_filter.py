@@ -13,7 +13,7 @@ import pymeshlab
 import pytest
 
 import mesh_laws
-from conftest import box, document, joined, sphere
+from conftest import box, crossing_bars, document, joined, sphere
 
 BLOCKS = ("union", "intersection", "first_minus_second", "second_minus_first")
 ALL_BLOCKS = (*BLOCKS, "symmetric_difference")
@@ -546,6 +546,12 @@ class TestRefusedLayers:
         assert "orient" in message and re.search(r"\b3\b", message)
         assert "meshing_re_orient_faces_coherently" in message
 
+    def test_oneFace(self, place):
+        mesh_set = place((FIRST[0][:3], np.array([(0, 1, 2)])))
+        message = refused(mesh_set, named=[place.layer])
+        assert "not closed: 3 edges" in message
+        assert selected_faces(mesh_set, place.layer) == [0]
+
     def test_noVolume(self, place):
         faces = np.array([(0, 1, 2), (2, 1, 0)])
         message = refused(place((FIRST[0][:3], faces)), named=[place.layer])
@@ -578,6 +584,45 @@ class TestRefusedLayers:
         mesh_set.meshing_close_holes()
         result = mesh_set.generate_index_boolean(first_mesh=0, second_mesh=1)
         assert result["union_volume"] == pytest.approx(VOLUMES["union"], rel=1e-14)
+
+
+class TestSwitches:
+    """The parameters that change how blocks are delivered, and which layers are accepted."""
+
+    @pytest.mark.parametrize(
+        "switch",
+        [
+            {"merge_fragments": False},
+            {"merge_coplanar": True},
+            {"weld_non_manifold": True},
+            {"check_self_intersections": True},
+        ],
+        ids=lambda switch: next(iter(switch)),
+    )
+    def test_noSwitchChangesTheSolids(self, switch):
+        mesh_set = document(FIRST, SECOND)
+        result = mesh_set.generate_index_boolean(symmetric_difference=True, **switch)
+        for block, volume in VOLUMES.items():
+            arrays = arrays_of(mesh_set.mesh(result[f"{block}_layer"]))
+            assert mesh_laws.unmatched_edges(*arrays) == 0
+            assert mesh_laws.volume(*arrays) == pytest.approx(volume, rel=1e-14)
+
+    @pytest.mark.parametrize("place", [0, 1])
+    def test_componentsThatCrossFarAwayAreFoundIfAsked(self, place):
+        meshes = [FAR_AWAY, FAR_AWAY]
+        meshes[place] = crossing_bars()
+        mesh_set = document(*meshes)
+        select(mesh_set, place, "fi < 2")
+        message = refused(mesh_set, named=[place], check_self_intersections=True)
+        selected = selected_faces(mesh_set, place)
+        assert f"intersects itself: {len(selected)} faces are concerned, the first near" in message
+        assert min(selected) < 12 <= max(selected)
+        assert document(*meshes).generate_index_boolean()["union_closed"]
+
+    def test_componentsThatShareACornerOrAnEdgeArePassed(self):
+        touching = joined(FIRST, box((2, 2, 0), (4, 4, 2)), box((4, 4, 2), (5, 5, 3)))
+        result = document(touching, FAR_AWAY).generate_index_boolean(check_self_intersections=True)
+        assert result["union_volume"] == pytest.approx(18)
 
 
 class TestContact:
