@@ -21,13 +21,17 @@ LABELS = ("A union B", "A intersection B", "A minus B", "B minus A", "A xor B")
 STAGES = (
     "operands",
     "self_intersections",
+    "coincident_faces",
     "octree_pairs",
     "triangle_contact",
     "weld",
     "retriangulate",
     "loops",
     "labels",
+    "overlap_owners",
     "blocks",
+    "manifold_copies",
+    "merge_fragments",
     "clean",
     "audit",
 )
