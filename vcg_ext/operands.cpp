@@ -7,6 +7,7 @@
 
 #include "clean.h"
 #include "coordinate_hash.h"
+#include "duplicate_faces.h"
 #include "exact_sign.h"
 #include "mesh_checks.h"
 #include "non_manifold.h"
@@ -31,10 +32,9 @@ Status failure(StatusCode code, int operand, std::size_t count) {
 }
 
 Status checkSizes(const MeshArrays& mesh) {
-	constexpr std::size_t kMost = 0x7fffffff;
-	if (mesh.points.size() > kMost || mesh.triangles.size() > kMost) {
-		return failure(StatusCode::TooLarge, -1,
-		               std::max(mesh.points.size(), mesh.triangles.size()));
+	const Status status = checkCounts(mesh.points.size(), mesh.triangles.size());
+	if (!status.ok()) {
+		return status;
 	}
 	for (int k = 0; k < 2; ++k) {
 		const auto operand = static_cast<std::size_t>(k);
@@ -416,6 +416,9 @@ Status prepareOperands(Arrangement& arrangement, Monitor& monitor) {
 	}
 	if (status.ok()) {
 		status = dropCollapsedFaces(arrangement);
+	}
+	if (status.ok()) {
+		status = removeDuplicateFaces(arrangement, monitor);
 	}
 	if (status.ok()) {
 		status = checkClosed(arrangement, monitor);

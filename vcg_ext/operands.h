@@ -1,9 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The Index Boolean authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// in: both operands as given; out: the same welded by exact coordinates, free of degenerate faces,
-// closed, consistently oriented and right side out, or a refusal that names the first defect.
-// Guarantee: no coordinate is changed; -0.0 equals 0.0; what is dropped leaves the surface closed.
+// in: both operands as given; out: the same welded by exact coordinates, free of degenerate and
+// duplicate faces, closed, consistently oriented and right side out, or a refusal that names the
+// first defect. Guarantee: no coordinate is changed; -0.0 equals 0.0; what is dropped leaves the
+// surface closed.
 #pragma once
 
 #include "arrangement.h"
@@ -12,9 +13,9 @@
 
 namespace index_boolean {
 
-// Checks and prepares arrangement.mesh in place; fills faceGiven, turned and volume.
+// Checks and prepares arrangement.mesh in place; fills faceGiven, turned, duplicates and volume.
 // \return Ok, Cancelled, OutOfMemory, EmptyOperand, NotFinite, IndexOutOfRange, TooLarge,
-//         NotClosed, NotOriented, NoVolume
+//         NotClosed, NotOriented, NoVolume, SelfIntersecting
 // Complexity: O(n); the exact volume sign, needed only next to zero, is O(n) big numbers.
 Status prepareOperands(Arrangement& arrangement, Monitor& monitor);
 

@@ -64,6 +64,27 @@ TEST(Operands, aFaceAndItsOppositeEncloseNothing) {
 	expectRefused(flat, StatusCode::NoVolume, 0);
 }
 
+TEST(Operands, aShellThereTwiceIsOneAndAWallInBothDirectionsIsNone) {
+	const Mesh twice = joined(kUnit, kUnit);
+	const Mesh two = joined(kUnit, box({1, 0, 0}, {2, 1, 1}));
+	const BooleanRun r = run(twice, two);
+	ASSERT_TRUE(r.status.ok()) << describe(r.status);
+	EXPECT_EQ(r.arrangement.duplicates.takenOnce, (std::array<std::size_t, 2>{12, 0}));
+	EXPECT_EQ(r.arrangement.duplicates.cancelledPairs, (std::array<std::size_t, 2>{0, 2}));
+	EXPECT_DOUBLE_EQ(r.volume(Operation::Union), 2);
+	EXPECT_DOUBLE_EQ(r.volume(Operation::Intersection), 1);
+	EXPECT_DOUBLE_EQ(r.volume(Operation::SecondMinusFirst), 1);
+	EXPECT_TRUE(r.block(Operation::FirstMinusSecond).triangles.empty());
+}
+
+TEST(Operands, aWallThatTwoOverlappingComponentsShareIsRefusedWithItsFaces) {
+	Mesh wall;  // tetrahedra of heights 1 and 2 on one base
+	wall.points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0, 0, 2}};
+	wall.triangles = {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3},
+	                  {0, 2, 1}, {0, 1, 4}, {1, 2, 4}, {2, 0, 4}};
+	expectRefused(wall, StatusCode::SelfIntersecting, 2);
+}
+
 TEST(Operands, everyKindOfNumberThatIsNotFiniteIsRefusedInAnyCoordinate) {
 	const double infinity = std::numeric_limits<double>::infinity();
 	for (const double bad : {std::nan(""), -std::nan(""), infinity, -infinity}) {

@@ -403,9 +403,16 @@ class TestLog:
         log = log_of("mirrored_document()")
         assert re.search(r'Layer "B" \(id 1\) is .*mirrored', log) and 'Layer "A"' not in log
 
+    def test_duplicateFacesAreCounted(self):
+        log = log_of("document(joined(FIRST, FIRST), SECOND)")
+        assert 'Layer "A" (id 0) has faces on the same three vertices: 12 duplicate faces' in log
+        log = log_of("document(SECOND, joined(FIRST, box((2, 0, 0), (4, 2, 2))))")
+        assert re.search(r'Layer "B" \(id 1\) .*: 2 opposite pairs cancelled\.', log)
+
     def test_layersRightSideOutAreNotMentioned(self):
         log = log_of("document(FIRST, SECOND)")
         assert "inside out" not in log and "is empty" not in log
+        assert "same three vertices" not in log
 
     def test_anEmptyBlockOfDisjointLayersSaysSo(self):
         log = log_of("document(FIRST, FAR_AWAY)")
