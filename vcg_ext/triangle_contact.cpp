@@ -189,7 +189,9 @@ bool genericContact(PairSigns& signs, Ends& ends) {
 // Collects the names of the points of one pair, each once.
 class NamedPoints {
 public:
-	NamedPoints(PairSigns& signs, PairContact& out) : signs_(signs), out_(out) {}
+	NamedPoints(PairSigns& signs, PairContact& out) : signs_(signs), out_(out) {
+		sides_.fill(kUnknownSign);
+	}
 
 	// False if there are more points than a pair of triangles can have.
 	bool collect() {
@@ -236,6 +238,22 @@ private:
 		return axis;
 	}
 
+	// The side of edge j of the other face on which corner i of a face lies, in its plane; computed
+	// once. Faces in one plane have one projection.
+	int sideOfEdge(int face, int i, int j) {
+		const int other = 1 - face;
+		int& sign = sides_[index(9 * face + 3 * i + j)];
+		if (sign == kUnknownSign) {
+			const VertexId v = signs_.corner(face, i);
+			const bool isEnd =
+			    v == signs_.corner(other, j) || v == signs_.corner(other, nextCorner(j));
+			sign = isEnd ? 0
+			             : orient2d(signs_.point(other, j), signs_.point(other, nextCorner(j)),
+			                        signs_.point(face, i), axisOf(signs_.coplanar() ? 0 : other));
+		}
+		return sign;
+	}
+
 	// A corner in the plane of the other face: a common corner, inside it, on an edge, or away.
 	void addCorner(int face, int i) {
 		const int other = 1 - face;
@@ -244,11 +262,7 @@ private:
 			add({PointKind::Vertex, 0, {v.value, 0, 0, 0}});
 			return;
 		}
-		Signs s;
-		for (int j = 0; j < 3; ++j) {
-			s[index(j)] = orient2d(signs_.point(other, j), signs_.point(other, nextCorner(j)),
-			                       signs_.point(face, i), axisOf(other));
-		}
+		const Signs s{sideOfEdge(face, i, 0), sideOfEdge(face, i, 1), sideOfEdge(face, i, 2)};
 		const auto zero = std::find(s.begin(), s.end(), 0);
 		if (mixed(s)) {
 			return;
@@ -277,31 +291,44 @@ private:
 
 	// Two edges in one plane that cross inside both.
 	void addCrossing(int i, int j) {
-		if (signs_.haveCommonEnd(i, j) || signs_.edgeAgainstEdge(i, j) != 0) {
+		if (signs_.haveCommonEnd(i, j)) {
 			return;
 		}
+		int axis = axisOf(0);
+		if (signs_.coplanar()) {
+			const int sideC = sideOfEdge(1, j, i), sideD = sideOfEdge(1, nextCorner(j), i);
+			if (sideC * sideD >= 0 || sideOfEdge(0, i, j) * sideOfEdge(0, nextCorner(i), j) >= 0) {
+				return;
+			}
+		} else if (signs_.edgeAgainstEdge(i, j) != 0 || !crossInSomeProjection(i, j, axis)) {
+			return;
+		}
+		const auto first = sortedEdge(signs_.corner(0, i), signs_.corner(0, nextCorner(i)));
+		const auto second = sortedEdge(signs_.corner(1, j), signs_.corner(1, nextCorner(j)));
+		add({PointKind::EdgeEdge,
+		     static_cast<std::uint8_t>(axis),
+		     {first[0], first[1], second[0], second[1]}});
+	}
+
+	// For edges known to lie in one plane; writes the projection in which they are not parallel.
+	bool crossInSomeProjection(int i, int j, int& axis) const {
 		const Point& a = signs_.point(0, i);
 		const Point& b = signs_.point(0, nextCorner(i));
 		const Point& c = signs_.point(1, j);
 		const Point& d = signs_.point(1, nextCorner(j));
-		for (int axis = 0; axis < 3; ++axis) {
-			const int sideC = orient2d(a, b, c, axis), sideD = orient2d(a, b, d, axis);
-			const int sideA = orient2d(c, d, a, axis), sideB = orient2d(c, d, b, axis);
-			if (sideC * sideD < 0 && sideA * sideB < 0) {
-				const auto first = sortedEdge(signs_.corner(0, i), signs_.corner(0, nextCorner(i)));
-				const auto second =
-				    sortedEdge(signs_.corner(1, j), signs_.corner(1, nextCorner(j)));
-				add({PointKind::EdgeEdge,
-				     static_cast<std::uint8_t>(axis),
-				     {first[0], first[1], second[0], second[1]}});
-				return;
+		for (axis = 0; axis < 3; ++axis) {
+			if (orient2d(a, b, c, axis) * orient2d(a, b, d, axis) < 0 &&
+			    orient2d(c, d, a, axis) * orient2d(c, d, b, axis) < 0) {
+				return true;
 			}
 		}
+		return false;
 	}
 
 	PairSigns& signs_;
 	PairContact& out_;
 	std::array<int, 2> axis_{-1, -1};  // found when first asked for
+	std::array<int, 18> sides_{};
 	Ends ends_;
 	bool overflow_ = false;
 };
