@@ -1,42 +1,73 @@
 # SPDX-FileCopyrightText: 2026 The Index Boolean authors
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
-# in: MESHLAB_SOURCE_DIR (cache or environment), else what tools/fetch_headers fetches;
-# out: the targets a plugin is built with, or a STATUS sentence that says what is missing.
-#   meshlab::headers  MeshLab's src/common, vcglib and Eigen as system headers
-#   meshlab::common   the above, Qt, the host's version and scalar, and a stub of the host's library
+# in: INDEXBOOLEAN_HOSTS and, for each version of MeshLab among them, a source tree: the one that
+# MESHLAB_SOURCE_DIR (2025.07) or MESHLAB_2020_09_SOURCE_DIR names, as a cache or environment variable,
+# else what tools/fetch_headers fetches; out: the targets a plugin is built with, or a STATUS sentence
+# that says what is missing.
+#   meshlab::headers  vcglib of MeshLab 2025.07 and Eigen, as system headers
+#   meshlab::<host>   MeshLab's src/common, its vcglib, Eigen, Qt, the host's version and scalar, and a
+#                     stub of the host's library
+set(INDEXBOOLEAN_HOSTS pymeshlab CACHE STRING
+	"What to build the plugin for, a list of: pymeshlab meshlab-2025.07 meshlab-2020.09")
 set(MESHLAB_SOURCE_DIR "$ENV{MESHLAB_SOURCE_DIR}" CACHE PATH
-	"MeshLab source tree with its vcglib; empty: fetched from Debian's source package")
-set(MESHLAB_VERSION 2025.07)
-set(INDEXBOOLEAN_SCALAR double CACHE STRING "The host's scalar: double (pymeshlab) or float (GUI)")
+	"MeshLab 2025.07 source tree with its vcglib; empty: fetched from Debian's source package")
+set(MESHLAB_2020_09_SOURCE_DIR "$ENV{MESHLAB_2020_09_SOURCE_DIR}" CACHE PATH
+	"MeshLab 2020.09 source tree with its vcglib; empty: fetched from Debian's source package")
 
-# Sets meshlab_dir in the caller to a tree of the pinned version, or to an empty string.
-function(locate_meshlab_source)
-	set(fetched "${PROJECT_SOURCE_DIR}/build/meshlab-${MESHLAB_VERSION}")
-	set(dir "${MESHLAB_SOURCE_DIR}")
+# host: MeshLab's version, its scalar, the folder of filter_indexboolean/ with the adapter
+set(host_pymeshlab 2025.07 double meshlab_2025_07)
+set(host_meshlab-2025.07 2025.07 float meshlab_2025_07)
+set(host_meshlab-2020.09 2020.09 float meshlab_2020_09)
+
+function(meshlab_api_of host out)
+	list(GET host_${host} 2 api)
+	set(${out} ${api} PARENT_SCOPE)
+endfunction()
+
+# Sets meshlab_dir in the caller to a tree of that version, or to an empty string.
+function(locate_meshlab_source version variable)
+	set(meshlab_dir "" PARENT_SCOPE)
+	set(dir "${${variable}}")
 	if(NOT dir)
-		set(dir "${fetched}")
+		set(dir "${PROJECT_SOURCE_DIR}/build/meshlab-${version}")
 		if(NOT EXISTS "${dir}/ML_VERSION")
-			execute_process(COMMAND "${PROJECT_SOURCE_DIR}/tools/fetch_headers" "${dir}")
+			execute_process(COMMAND "${PROJECT_SOURCE_DIR}/tools/fetch_headers" ${version} "${dir}")
 		endif()
 	endif()
-	set(meshlab_dir "" PARENT_SCOPE)
-	if(NOT EXISTS "${dir}/src/common" OR NOT EXISTS "${dir}/src/vcglib/vcg")
-		message(STATUS "MeshLab's headers are not here: set MESHLAB_SOURCE_DIR to a MeshLab "
-			"${MESHLAB_VERSION} source tree (with vcglib), or let tools/fetch_headers get Debian's "
-			"source package")
+	if(NOT EXISTS "${dir}/src/common")
+		message(STATUS "MeshLab's headers are not here: set ${variable} to a MeshLab ${version} source "
+			"tree (with vcglib), or let tools/fetch_headers get Debian's source package")
 		return()
 	endif()
 	file(STRINGS "${dir}/ML_VERSION" found LIMIT_COUNT 1)
-	if(NOT found STREQUAL MESHLAB_VERSION)
-		message(STATUS "${dir} is MeshLab ${found}, needed is ${MESHLAB_VERSION}")
+	if(NOT found STREQUAL version)
+		message(STATUS "${dir} is MeshLab ${found}, needed is ${version}")
 		return()
 	endif()
 	set(meshlab_dir "${dir}" PARENT_SCOPE)
 endfunction()
 
+# The target meshlab-headers-<version>, if its tree and Eigen are here.
+function(add_meshlab_headers version variable)
+	locate_meshlab_source(${version} ${variable})
+	if(NOT meshlab_dir)
+		return()
+	endif()
+	find_path(vcglib_${version} vcg/complex/complex.h NO_CACHE NO_DEFAULT_PATH
+		PATHS "${meshlab_dir}/src/vcglib" "${meshlab_dir}/vcglib")
+	find_path(EIGEN_INCLUDE_DIR Eigen/Core PATHS "${vcglib_${version}}/eigenlib" PATH_SUFFIXES eigen3)
+	if(NOT EIGEN_INCLUDE_DIR OR NOT vcglib_${version})
+		message(STATUS "Eigen (Debian: libeigen3-dev) or ${meshlab_dir}'s vcglib is not here")
+		return()
+	endif()
+	add_library(meshlab-headers-${version} INTERFACE)
+	target_include_directories(meshlab-headers-${version} SYSTEM INTERFACE
+		"${meshlab_dir}/src" "${vcglib_${version}}" "${EIGEN_INCLUDE_DIR}")
+endfunction()
+
 # An empty library of the host's name. The plugin's undefined symbols are found at load time in the
-# host's own copy, so that one build serves every host of this version.
+# host's own copy, so that one build serves every host of its version.
 function(add_meshlab_stub)
 	set(empty "${CMAKE_CURRENT_BINARY_DIR}/meshlab_stub.cpp")
 	file(CONFIGURE OUTPUT "${empty}" CONTENT "")
@@ -45,22 +76,27 @@ function(add_meshlab_stub)
 		LIBRARY_OUTPUT_DIRECTORY "${CMAKE_CURRENT_BINARY_DIR}/meshlab_stub")
 endfunction()
 
-function(find_meshlab_headers)
-	locate_meshlab_source()
-	if(NOT meshlab_dir)
-		return()
-	endif()
-	find_path(EIGEN_INCLUDE_DIR Eigen/Core PATHS "${meshlab_dir}/src/vcglib/eigenlib"
-		PATH_SUFFIXES eigen3)
-	if(NOT EIGEN_INCLUDE_DIR)
-		message(STATUS "Eigen is not here (Debian: libeigen3-dev)")
-		return()
-	endif()
-	add_library(meshlab_headers INTERFACE)
-	add_library(meshlab::headers ALIAS meshlab_headers)
-	target_include_directories(meshlab_headers SYSTEM INTERFACE
-		"${meshlab_dir}/src" "${meshlab_dir}/src/vcglib" "${EIGEN_INCLUDE_DIR}")
+function(add_meshlab_host host)
+	list(GET host_${host} 0 version)
+	list(GET host_${host} 1 scalar)
+	add_library(meshlab-host-${host} INTERFACE)
+	add_library(meshlab::${host} ALIAS meshlab-host-${host})
+	target_compile_definitions(meshlab-host-${host} INTERFACE
+		MESHLAB_VERSION=${version} MESHLAB_SCALAR=${scalar})
+	target_link_libraries(meshlab-host-${host} INTERFACE meshlab-headers-${version}
+		meshlab_common_stub Qt5::Core Qt5::Gui Qt5::Widgets Qt5::OpenGL Qt5::Xml)
+	target_link_options(meshlab-host-${host} INTERFACE
+		LINKER:--no-as-needed LINKER:-z,undefs LINKER:--allow-shlib-undefined)
+endfunction()
 
+function(find_meshlab_headers)
+	if(INDEXBOOLEAN_HOSTS MATCHES "2020\\.09")
+		add_meshlab_headers(2020.09 MESHLAB_2020_09_SOURCE_DIR)
+	endif()
+	add_meshlab_headers(2025.07 MESHLAB_SOURCE_DIR)
+	if(TARGET meshlab-headers-2025.07)
+		add_library(meshlab::headers ALIAS meshlab-headers-2025.07)
+	endif()
 	find_package(Qt5 5.15 COMPONENTS Core Gui Widgets OpenGL Xml)
 	find_path(GLEW_INCLUDE_DIR GL/glew.h)
 	if(NOT Qt5_FOUND OR NOT GLEW_INCLUDE_DIR)
@@ -69,12 +105,13 @@ function(find_meshlab_headers)
 		return()
 	endif()
 	add_meshlab_stub()
-	add_library(meshlab_common INTERFACE)
-	add_library(meshlab::common ALIAS meshlab_common)
-	target_compile_definitions(meshlab_common INTERFACE
-		MESHLAB_VERSION=${MESHLAB_VERSION} MESHLAB_SCALAR=${INDEXBOOLEAN_SCALAR})
-	target_link_libraries(meshlab_common INTERFACE meshlab_headers meshlab_common_stub
-		Qt5::Core Qt5::Gui Qt5::Widgets Qt5::OpenGL Qt5::Xml)
-	target_link_options(meshlab_common INTERFACE
-		LINKER:--no-as-needed LINKER:-z,undefs LINKER:--allow-shlib-undefined)
+	foreach(host IN LISTS INDEXBOOLEAN_HOSTS)
+		if(NOT DEFINED host_${host})
+			message(FATAL_ERROR "INDEXBOOLEAN_HOSTS: there is no host \"${host}\"")
+		endif()
+		list(GET host_${host} 0 version)
+		if(TARGET meshlab-headers-${version})
+			add_meshlab_host(${host})
+		endif()
+	endforeach()
 endfunction()

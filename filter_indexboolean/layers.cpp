@@ -22,7 +22,7 @@ public:
 		if (kept_ || layers_.empty())
 			return;
 		for (const MeshModel* layer : layers_)
-			document_.delMesh(static_cast<unsigned int>(layer->id()));
+			deleteLayer(document_, *layer);
 		document_.setCurrentMesh(current_);
 	}
 
@@ -80,8 +80,8 @@ Status readLayers(const std::array<MeshModel*, 2>& layers, Progress& progress, O
 		monitor.beginStage("reading layers", 0, 1);
 		for (std::size_t k = 0; k < layers.size() && status.ok(); ++k) {
 			const CMeshO& mesh = layers[k]->cm;
-			status = appendOperand<vcgTriMesh>(mesh, mesh.Tr, static_cast<int>(k), monitor,
-			                                   out.arrays, out.faces[k]);
+			status = appendOperand(mesh, mesh.Tr, static_cast<int>(k), monitor, out.arrays,
+			                       out.faces[k]);
 		}
 		return status;
 	} catch (const std::bad_alloc&) {

@@ -10,7 +10,7 @@
 #include <vcg_ext/blocks.h>
 #include <vcg_ext/mesh_arrays_vcg.h>
 
-#include <common/ml_document/mesh_document.h>
+#include <host_document.h>
 
 #include <array>
 #include <vector>

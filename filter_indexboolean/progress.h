@@ -7,13 +7,14 @@
 
 #include <vcg_ext/monitor.h>
 
-#include <wrap/callback.h>
-
 #include <algorithm>
 #include <string>
 #include <utility>
 
 namespace index_boolean {
+
+// How a host is told of progress: percents (0 to 100) and a stage's name; false cancels.
+using HostCallback = bool(int, const char*);
 
 // Divides the progress bar among the phases of a run. Each phase has a monitor of its own, since a
 // monitor's fraction never falls.
@@ -38,9 +39,8 @@ private:
 	double done_ = 0;
 };
 
-// \param callback takes percents (0 to 100) and a stage's name, answers false to cancel; may be
-// null
-inline Monitor::Callback progressCallback(vcg::CallBackPos* callback) {
+// \param callback may be null
+inline Monitor::Callback progressCallback(HostCallback* callback) {
 	if (callback == nullptr)
 		return {};
 	return [callback](double fraction, const char* stage) {

@@ -4,8 +4,6 @@
 // The plugin as MeshLab and pymeshlab 2025.07 see it: filter_definitions.h in their terms.
 #pragma once
 
-#include "filter_definitions.h"
-
 #include <common/plugins/interfaces/filter_plugin.h>
 
 class FilterIndexBoolean : public QObject, public FilterPlugin {
@@ -32,9 +30,4 @@ public:
 	std::map<std::string, QVariant>
 	applyFilter(const QAction* action, const RichParameterList& parameters, MeshDocument& document,
 	            unsigned int& postConditionMask, vcg::CallBackPos* callback) override;
-
-private:
-	std::map<std::string, QVariant> generateIndexBoolean(const RichParameterList& parameters,
-	                                                     MeshDocument& document,
-	                                                     vcg::CallBackPos* callback);
 };

@@ -1,0 +1,20 @@
+// SPDX-FileCopyrightText: 2026 The Index Boolean authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Each filter is a file of its own; here is which one runs.
+#include "filter_run.h"
+
+#include "generate_index_boolean.h"
+
+namespace index_boolean {
+
+FilterOutput runFilter(FilterId filter, const ParameterValues& values, MeshDocument& document,
+                       HostCallback* callback) {
+	switch (filter) {
+	case FilterId::GenerateIndexBoolean:
+		return generateIndexBoolean(values, document, callback);
+	}
+	throw std::logic_error("no such filter");
+}
+
+}  // namespace index_boolean

@@ -1,0 +1,30 @@
+// SPDX-FileCopyrightText: 2026 The Index Boolean authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The document of MeshLab and pymeshlab 2025.07, and what its versions do in different words.
+#pragma once
+
+#include <common/ml_document/mesh_document.h>
+
+#include <vector>
+
+namespace index_boolean {
+
+// In the order of the document.
+inline std::vector<int> layerIds(const MeshDocument& document) {
+	std::vector<int> ids;
+	for (const MeshModel& layer : document.meshIterator())
+		ids.push_back(layer.id());
+	return ids;
+}
+
+// nullptr if there is none of that id.
+inline MeshModel* findLayer(MeshDocument& document, int id) {
+	return document.getMesh(static_cast<unsigned int>(id));
+}
+
+inline void deleteLayer(MeshDocument& document, const MeshModel& layer) {
+	document.delMesh(static_cast<unsigned int>(layer.id()));
+}
+
+}  // namespace index_boolean

@@ -1,0 +1,57 @@
+// SPDX-FileCopyrightText: 2026 The Index Boolean authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Both layers are found and named before anything is read from them.
+#include "operand_layers.h"
+
+namespace index_boolean {
+
+namespace {
+
+MeshModel* findOperand(FilterId filter, const char* name, const ParameterValues& values,
+                       MeshDocument& document) {
+	const int id = values.getInt(name);
+	MeshModel* layer = findLayer(document, id);
+	if (layer == nullptr)
+		throw Refusal(unknownLayerMessage(parameterDefinition(filter, name), id));
+	return layer;
+}
+
+LayerName nameOf(const MeshModel& layer) {
+	const std::string label = layer.label().toStdString();
+	return {label.empty() ? "layer " + std::to_string(layer.id()) : label, layer.id()};
+}
+
+}  // namespace
+
+OperandLayers findOperandLayers(FilterId filter, const ParameterValues& values,
+                                MeshDocument& document) {
+	OperandLayers operands;
+	operands.layers = {findOperand(filter, "first_mesh", values, document),
+	                   findOperand(filter, "second_mesh", values, document)};
+	operands.names = {nameOf(*operands.layers[0]), nameOf(*operands.layers[1])};
+	if (operands.layers[0] == operands.layers[1])
+		throw Refusal(sameLayerMessage(operands.names[0]));
+	return operands;
+}
+
+int numberInRange(FilterId filter, const char* name, const ParameterValues& values) {
+	const ParameterDefinition& definition = parameterDefinition(filter, name);
+	const int number = values.getInt(name);
+	if (number < definition.minimum || number > definition.maximum)
+		throw Refusal(outOfRangeMessage(definition, number));
+	return number;
+}
+
+void refuseUnlessOk(const Status& status, const LayerNames& names) {
+	if (!status.ok())
+		throw Refusal(refusalMessage(status, names));
+}
+
+void selectDefect(const Status& status, const OperandArrays& read, const OperandLayers& operands) {
+	const std::size_t operand = status.operand == 1 ? 1 : 0;
+	if (!status.faces.empty())
+		selectFaces(status.faces, read.faces[operand], *operands.layers[operand]);
+}
+
+}  // namespace index_boolean

@@ -1,0 +1,34 @@
+// SPDX-FileCopyrightText: 2026 The Index Boolean authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What the filters have in common: two layers of the document, by the parameters first_mesh and
+// second_mesh, and the refusals that speak of them.
+#pragma once
+
+#include "layers.h"
+#include "parameter_values.h"
+#include "refusal.h"
+
+#include <vcg_ext/status.h>
+
+namespace index_boolean {
+
+struct OperandLayers {
+	std::array<MeshModel*, 2> layers;
+	LayerNames names;
+};
+
+// The two layers that the parameters name; throws Refusal unless there are two.
+OperandLayers findOperandLayers(FilterId filter, const ParameterValues& values,
+                                MeshDocument& document);
+
+// The parameter's number; throws Refusal if it is out of the range of its definition.
+int numberInRange(FilterId filter, const char* name, const ParameterValues& values);
+
+// Throws Refusal with the status's sentence.
+void refuseUnlessOk(const Status& status, const LayerNames& names);
+
+// Leaves the status's faces selected in its layer, if it has any.
+void selectDefect(const Status& status, const OperandArrays& read, const OperandLayers& operands);
+
+}  // namespace index_boolean
