@@ -157,11 +157,13 @@ struct Labels {
 };
 
 // One maximal chain of the curve, as consecutive points; the first is repeated at the end of a
-// closed one.
+// closed one. Of each of its edges, from one point to the next: two faces that meet there, one of
+// each operand.
 enum class LoopKind : std::uint8_t { Open, HardClosed, SoftClosed };
 struct Loop {
 	LoopKind kind;
 	std::vector<VertexId> points;
+	std::vector<std::array<FaceId, 2>> faces;
 };
 
 // Faces of an operand on the same three vertices, which have been dropped.
@@ -175,9 +177,11 @@ struct Arrangement {
 	MeshArrays mesh;                       // welded, without degenerate faces, right side out
 	std::vector<std::uint32_t> faceGiven;  // per face: its index in the operand as given; see below
 	std::vector<VertexId> nonManifold;     // at which an operand is no manifold; ascending
-	std::array<bool, 2> turned{};          // the operand was inside out and has been turned
+	std::array<bool, 2> closed{};          // each edge of the operand has as many faces each way
+	std::array<bool, 2> turned{};  // the operand is closed and was given inside out; for blocks it
+	                               // has been turned
 	DuplicateFaces duplicates;
-	std::array<double, 2> volume{};  // of each operand
+	std::array<double, 2> volume{};  // of each operand that is closed
 	Curve curve;
 	Refinement refinement;
 	std::vector<Loop> loops;

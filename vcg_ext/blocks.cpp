@@ -5,12 +5,10 @@
 // has to mark its corners.
 #include "blocks.h"
 
-#include "exact_sign.h"
 #include "parallel.h"
 #include "weld.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace index_boolean {
 
@@ -38,27 +36,6 @@ constexpr Rule kRules[kOperationCount][2][4] = {
     {{kDrop, kTurn, kDrop, kDrop}, {kKeep, kDrop, kDrop, kKeep}},  // second minus first
     {{kKeep, kTurn, kDrop, kDrop}, {kKeep, kTurn, kDrop, kDrop}},  // symmetric difference
 };
-
-// The exact point rounded to float, once: the double next to it decides, unless it lies half-way
-// between two floats; then the exact point's side of it does.
-double roundedToFloat(const ExactPoint& point, std::size_t axis) {
-	const double value = point.rounded[axis];
-	const auto nearest = static_cast<float>(value);
-	if (point.form == ExactPoint::Form::Explicit || !std::isfinite(nearest)) {
-		return static_cast<double>(nearest);
-	}
-	const double towards = value > static_cast<double>(nearest) ? HUGE_VAL : -HUGE_VAL;
-	const double next = static_cast<double>(std::nextafter(nearest, static_cast<float>(towards)));
-	if (value - static_cast<double>(nearest) != next - value) {
-		return static_cast<double>(nearest);
-	}
-	const Point middle = point.rounded;
-	const int side =
-	    compareCoordinate(point, ExactPoint::explicitPoint(middle), static_cast<int>(axis));
-	const double low = std::min(static_cast<double>(nearest), next);
-	const double high = std::max(static_cast<double>(nearest), next);
-	return side == 0 ? static_cast<double>(nearest) : (side < 0 ? low : high);
-}
 
 class Collector {
 public:
@@ -113,7 +90,6 @@ private:
 	}
 	void addCurvePoints();
 	void markSuspects(const std::vector<VertexId>& onCurve);
-	Point outputCoordinates(VertexId v) const;
 	void write(std::size_t slot, const std::array<std::uint32_t, 3>& corners, FaceId face,
 	           bool turned);
 
@@ -143,14 +119,6 @@ Status countChunks(std::size_t n, int threads, Monitor& monitor, Keeps&& keeps,
 	return status;
 }
 
-Point Collector::outputCoordinates(VertexId v) const {
-	if (arrangement_.options.outputScalar == OutputScalar::Double) {
-		return arrangement_.coordinates(v);
-	}
-	const ExactPoint exact = exactPoint(arrangement_, v);
-	return {roundedToFloat(exact, 0), roundedToFloat(exact, 1), roundedToFloat(exact, 2)};
-}
-
 Status Collector::collectVertices() {
 	const std::size_t n = arrangement_.mesh.points.size();
 	const int threads = arrangement_.options.threads;
@@ -169,7 +137,7 @@ Status Collector::collectVertices() {
 		    for (std::size_t v = begin; v < end; ++v) {
 			    if (keepsVertex(v)) {
 				    newIndex_[v] = static_cast<std::uint32_t>(slot);
-				    out_.points[slot] = outputCoordinates(makeId<VertexTag>(v));
+				    out_.points[slot] = outputCoordinates(arrangement_, makeId<VertexTag>(v));
 				    out_.vertexSource[slot] = makeId<VertexTag>(v);
 				    ++slot;
 			    }
@@ -218,7 +186,7 @@ void Collector::addCurvePoints() {
 	used.erase(std::unique(used.begin(), used.end()), used.end());
 	for (const VertexId v : used) {
 		at(newIndex_, v) = static_cast<std::uint32_t>(out_.points.size());
-		out_.points.push_back(outputCoordinates(v));
+		out_.points.push_back(outputCoordinates(arrangement_, v));
 		out_.vertexSource.push_back(v);
 	}
 	markSuspects(used);
@@ -319,6 +287,11 @@ Status collectBlock(const Arrangement& arrangement, Operation operation, Monitor
                     Block& out) {
 	out = Block{};
 	out.operation = operation;
+	if (arrangement.labels.vertex.size() != arrangement.mesh.points.size()) {
+		Status status;
+		status.code = StatusCode::InternalError;  // an arrangement that is not for blocks
+		return status;
+	}
 	return Collector(arrangement, operation, monitor, out).run();
 }
 

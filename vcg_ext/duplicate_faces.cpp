@@ -133,15 +133,46 @@ void judge(const SortedFace* begin, const SortedFace* end, Duplicates& out) {
 	}
 }
 
+// Takes the faces [begin, end) on the same corners: all but one of them are repeated. If they are
+// turned both ways, it is one that runs through its corners in lexicographic order.
+void takeOnce(const MeshArrays& mesh, const SortedFace* begin, const SortedFace* end,
+              Duplicates& out) {
+	const auto isAscending = [&mesh](const SortedFace& f) {
+		const Triangle& t = mesh.triangles[f.face];
+		std::array<Point, 3> c{at(mesh.points, t[0]), at(mesh.points, t[1]), at(mesh.points, t[2])};
+		std::rotate(c.begin(), std::min_element(c.begin(), c.end()), c.end());
+		return c[1] < c[2];
+	};
+	const SortedFace* const ascending = std::find_if(begin, end, isAscending);
+	const SortedFace* const kept = ascending == end ? begin : ascending;
+	for (const SortedFace* f = begin; f != end; ++f) {
+		(f == kept ? out.firsts : out.repeated).push_back(f->face);
+	}
+}
+
+// Calls judgeFaces(begin, end, out) for all faces of an operand on the same corners.
+template <class JudgeFaces>
 void findDuplicates(const MeshArrays& mesh, std::size_t operand, Monitor& monitor,
-                    Duplicates& out) {
+                    JudgeFaces&& judgeFaces, Duplicates& out) {
 	const std::vector<SortedFace> faces = suspects(mesh, operand, monitor);
 	for (std::size_t first = 0, next = 0; first < faces.size(); first = next) {
 		while (next < faces.size() && faces[next].hasCornersOf(faces[first]))
 			++next;
 		if (next - first > 1)
-			judge(&faces[first], &faces[first] + (next - first), out);
+			judgeFaces(&faces[first], &faces[first] + (next - first), out);
 	}
+}
+
+// The same for both operands, each on a thread.
+template <class JudgeFaces>
+Status findAllDuplicates(const Arrangement& arrangement, Monitor& monitor, JudgeFaces&& judgeFaces,
+                         std::array<Duplicates, 2>& out) {
+	const MeshArrays& mesh = arrangement.mesh;
+	const int threads = threadsForHalves(mesh.triangles.size(), arrangement.options.threads);
+	return parallelFor(2, 1, threads, monitor, [&](std::size_t begin, std::size_t end) {
+		for (std::size_t operand = begin; operand < end; ++operand)
+			findDuplicates(mesh, operand, monitor, judgeFaces, out[operand]);
+	});
 }
 
 // Equal faces without which the operand is open: the winding numbers on their two sides differ by
@@ -215,13 +246,8 @@ void drop(const std::vector<std::uint32_t>& faces, Arrangement& arrangement) {
 
 Status removeDuplicateFaces(Arrangement& arrangement, Monitor& monitor) {
 	const MeshArrays& mesh = arrangement.mesh;
-	const int threads = arrangement.options.threads;
 	std::array<Duplicates, 2> found;
-	Status status = parallelFor(2, 1, threadsForHalves(mesh.triangles.size(), threads), monitor,
-	                            [&](std::size_t begin, std::size_t end) {
-		                            for (std::size_t operand = begin; operand < end; ++operand)
-			                            findDuplicates(mesh, operand, monitor, found[operand]);
-	                            });
+	Status status = findAllDuplicates(arrangement, monitor, judge, found);
 	std::vector<std::uint32_t> faces;
 	for (std::size_t operand = 0; operand < 2 && status.ok(); ++operand) {
 		status = judgeRepeated(arrangement, operand, monitor, found[operand]);
@@ -236,6 +262,25 @@ Status removeDuplicateFaces(Arrangement& arrangement, Monitor& monitor) {
 		faces.insert(faces.end(), repeated.begin(), repeated.end());
 	}
 	if (status.ok() && !faces.empty()) {
+		std::sort(faces.begin(), faces.end());
+		drop(faces, arrangement);
+	}
+	return status;
+}
+
+Status takeDuplicateFacesOnce(Arrangement& arrangement, Monitor& monitor) {
+	const MeshArrays& mesh = arrangement.mesh;
+	const auto judgeFaces = [&mesh](const SortedFace* begin, const SortedFace* end,
+	                                Duplicates& out) { takeOnce(mesh, begin, end, out); };
+	std::array<Duplicates, 2> found;
+	const Status status = findAllDuplicates(arrangement, monitor, judgeFaces, found);
+	std::vector<std::uint32_t> faces;
+	for (std::size_t operand = 0; operand < 2 && status.ok(); ++operand) {
+		const std::vector<std::uint32_t>& repeated = found[operand].repeated;
+		arrangement.duplicates.takenOnce[operand] = repeated.size();
+		faces.insert(faces.end(), repeated.begin(), repeated.end());
+	}
+	if (!faces.empty()) {
 		std::sort(faces.begin(), faces.end());
 		drop(faces, arrangement);
 	}

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // in: both operands, welded, without collapsed faces; out: the same without faces that are there
-// more than once. Guarantee: what is dropped leaves each directed edge matched as well as before.
+// more than once. Guarantee: for blocks, what is dropped leaves each directed edge matched as well
+// as before; else, what is left covers the same points.
 #pragma once
 
 #include "arrangement.h"
@@ -19,5 +20,10 @@ namespace index_boolean {
 // \return Ok, Cancelled, OutOfMemory; SelfIntersecting with the equal faces
 // Complexity: O(n + d log d) for n faces and d duplicates, each operand on a thread.
 Status removeDuplicateFaces(Arrangement& arrangement, Monitor& monitor);
+
+// Drops, within each operand, all but one of the faces on the same three vertices, whatever way
+// they are turned: what is left covers the same points. The one that is kept depends on coordinates
+// only. Counted as taken once. \return Ok, Cancelled, OutOfMemory
+Status takeDuplicateFacesOnce(Arrangement& arrangement, Monitor& monitor);
 
 }  // namespace index_boolean

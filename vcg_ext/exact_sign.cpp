@@ -293,6 +293,22 @@ int orient2d(const ExactPoint& a, const ExactPoint& b, const ExactPoint& c, int 
 	});
 }
 
+int compareSlopes(const std::array<const Point*, 3>& a, const std::array<const Point*, 3>& b,
+                  int axis, int along) {
+	return decideSign([&](auto tag) {
+		using N = typename decltype(tag)::Type;
+		const auto normalOf = [](const std::array<const Point*, 3>& plane) {
+			return cross(difference<N>(*plane[1], *plane[0]), difference<N>(*plane[2], *plane[0]));
+		};
+		const auto up = static_cast<std::size_t>(axis);
+		const auto k = static_cast<std::size_t>(along);
+		const Vector<N> m = normalOf(a);
+		const Vector<N> n = normalOf(b);
+		const int weights = signProduct(m[up].sign(), n[up].sign());
+		return signProduct((n[k] * m[up] - m[k] * n[up]).sign(), weights);
+	});
+}
+
 int projectionAxis(const Triangle& triangle, const std::vector<Point>& points, int& sign) {
 	std::array<const Point*, 3> corners{&at(points, triangle[0]), &at(points, triangle[1]),
 	                                    &at(points, triangle[2])};

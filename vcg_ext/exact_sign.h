@@ -70,6 +70,11 @@ int compareCoordinate(const ExactPoint& a, const ExactPoint& b, int axis);
 // As orient2d above, for any points (whose rounded coordinates are filled).
 int orient2d(const ExactPoint& a, const ExactPoint& b, const ExactPoint& c, int axis);
 
+// Compares how fast two planes rise towards `axis` with the coordinate `along`: -1, 0, +1.
+// \pre neither plane contains the direction of `axis`
+int compareSlopes(const std::array<const Point*, 3>& a, const std::array<const Point*, 3>& b,
+                  int axis, int along);
+
 // The axis along which a triangle is projected: that of the largest component of its normal, as
 // computed from its corners in lexicographic order, so that it depends on the corners only.
 // Writes the exact, non-zero sign of that component. \pre the triangle has area

@@ -137,17 +137,22 @@ double largestLawResidual(const std::array<double, 2>& operand, const BlockVolum
 	return most == 0 ? 0 : most / scale;
 }
 
-}  // namespace
+// What an arrangement is for: blocks need closed operands and labels, splitting needs neither.
+enum class Purpose : std::uint8_t { Blocks, Split };
 
-Status arrange(MeshArrays input, const Options& options, Monitor& monitor, Arrangement& out) {
+Status arrangeFor(Purpose purpose, MeshArrays input, const Options& options, Monitor& monitor,
+                  Arrangement& out) {
 	return guarded([&] {
 		out = Arrangement{};
 		out.options = options;
 		out.mesh = std::move(input);
+		const bool forBlocks = purpose == Purpose::Blocks;
 		std::vector<FacePair> pairs;
 		Contacts contacts;
 		Stages stages(monitor, out.stageTimes);
-		stages.run("operands", 0.2, [&] { return prepareOperands(out, monitor); });
+		stages.run("operands", 0.2, [&] {
+			return forBlocks ? prepareOperands(out, monitor) : prepareSurfaces(out, monitor);
+		});
 		stages.run("self_intersections", 0.05,
 		           [&] { return checkSelfIntersections(out, monitor); });
 		stages.run("coincident_faces", 0.05, [&] { return findCoincidentFaces(out, monitor); });
@@ -158,10 +163,23 @@ Status arrange(MeshArrays input, const Options& options, Monitor& monitor, Arran
 		stages.run("weld", 0.1, [&] { return weldPoints(out, contacts, monitor); });
 		stages.run("retriangulate", 0.1, [&] { return retriangulate(out, monitor); });
 		stages.run("loops", 0.05, [&] { return traceLoops(out, monitor); });
-		stages.run("labels", 0.05, [&] { return labelArrangement(out, monitor); });
-		stages.run("overlap_owners", 0.05, [&] { return chooseOverlapOwners(out, monitor); });
+		if (forBlocks) {
+			stages.run("labels", 0.05, [&] { return labelArrangement(out, monitor); });
+			stages.run("overlap_owners", 0.05, [&] { return chooseOverlapOwners(out, monitor); });
+		}
 		return stages.status();
 	});
+}
+
+}  // namespace
+
+Status arrange(MeshArrays input, const Options& options, Monitor& monitor, Arrangement& out) {
+	return arrangeFor(Purpose::Blocks, std::move(input), options, monitor, out);
+}
+
+Status arrangeSurfaces(MeshArrays input, const Options& options, Monitor& monitor,
+                       Arrangement& out) {
+	return arrangeFor(Purpose::Split, std::move(input), options, monitor, out);
 }
 
 Status extractBlock(const Arrangement& arrangement, Operation operation, Monitor& monitor,
@@ -178,6 +196,32 @@ Status extractBlock(const Arrangement& arrangement, Operation operation, Monitor
 		           [&] { return mergeFragments(arrangement, monitor, out); });
 		stages.run("clean", 0.2, [&] { return finishBlock(options, monitor, out); });
 		return stages.status();
+	});
+}
+
+Status split(const Arrangement& arrangement, Monitor& monitor, Split& out) {
+	return guarded([&] {
+		out = Split{};
+		Stages stages(monitor, out.stageTimes);
+		stages.run("sub_surfaces", 0.7,
+		           [&] { return findSubSurfaces(arrangement, monitor, out.surfaces); });
+		stages.run("sub_blocks", 0.3,
+		           [&] { return findSubBlocks(arrangement, out.surfaces, monitor, out.blocks); });
+		return stages.status();
+	});
+}
+
+Status extractSubSurfaces(const Arrangement& arrangement, const Split& split, std::size_t operand,
+                          Monitor& monitor, SplitMesh& out) {
+	return guarded([&] {
+		return collectSubSurfaces(arrangement, split.surfaces, split.blocks, operand, monitor, out);
+	});
+}
+
+Status extractSubBlock(const Arrangement& arrangement, const Split& split, SubBlockId block,
+                       Monitor& monitor, SplitMesh& out) {
+	return guarded([&] {
+		return collectSubBlock(arrangement, split.surfaces, split.blocks, block, monitor, out);
 	});
 }
 

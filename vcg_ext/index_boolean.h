@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The Index Boolean authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The entry: two closed surfaces are intersected once (an Arrangement), and every block is read
-// from it. Source: Mei & Tipper, "Simple and Robust Boolean Operations for Triangulated Surfaces"
-// (2013; Zhou, Qin, Mei, Tipper, Mathematics 2023, 11, 2713), on exact decisions.
-// Guarantee: coordinates decide signs, signs make indices, after that only indices. No epsilon;
-// the result is the same, byte for byte, for any number of threads.
+// The entry: two surfaces are intersected once (an Arrangement), and every block, sub-surface and
+// sub-block is read from it. Source: Mei & Tipper, "Simple and Robust Boolean Operations for
+// Triangulated Surfaces" (2013; Zhou, Qin, Mei, Tipper, Mathematics 2023, 11, 2713), on exact
+// decisions. Guarantee: coordinates decide signs, signs make indices, after that only indices. No
+// epsilon; the result is the same, byte for byte, for any number of threads.
 #pragma once
 
 #include "arrangement.h"
@@ -13,11 +13,12 @@
 #include "measure.h"
 #include "mesh_arrays.h"
 #include "monitor.h"
+#include "split_meshes.h"
 #include "status.h"
 
 namespace index_boolean {
 
-// Intersects the two operands of `input`.
+// Intersects the two closed operands of `input`, for blocks.
 // \param input   both operands' arrays; moved in, the arrangement owns them from here on
 // \param options octree limits, threads, output scalar
 // \param monitor progress and cancel
@@ -33,6 +34,32 @@ Status arrange(MeshArrays input, const Options& options, Monitor& monitor, Arran
 // Complexity: O(n).
 Status extractBlock(const Arrangement& arrangement, Operation operation, Monitor& monitor,
                     Block& out);
+
+// Intersects any two surfaces, open or closed, orientable or not, for splitting: without labels, so
+// that no block can be read from the arrangement. Parameters as above.
+// \return any StatusCode but NotClosed, NotOriented, NoVolume, NestedComponents
+Status arrangeSurfaces(MeshArrays input, const Options& options, Monitor& monitor,
+                       Arrangement& out);
+
+// All parts of two surfaces, and of the space between them.
+struct Split {
+	SubSurfaces surfaces;
+	SubBlocks blocks;
+	std::vector<StageTime> stageTimes;
+};
+
+// Finds all sub-surfaces and sub-blocks of an arrangement, of either entry.
+// \return Ok, Cancelled, OutOfMemory, InternalError; SelfIntersecting where an operand meets itself
+//         in a way that shows
+// Complexity: O(n + k log k) for n faces, k of them at the curve.
+Status split(const Arrangement& arrangement, Monitor& monitor, Split& out);
+
+// The mesh of all sub-surfaces of one operand (0 or 1), and the boundary of one sub-block; see
+// split_meshes.h. \return Ok, Cancelled, OutOfMemory, InternalError
+Status extractSubSurfaces(const Arrangement& arrangement, const Split& split, std::size_t operand,
+                          Monitor& monitor, SplitMesh& out);
+Status extractSubBlock(const Arrangement& arrangement, const Split& split, SubBlockId block,
+                       Monitor& monitor, SplitMesh& out);
 
 // Measures delivered blocks (volume, area, components, closedness) and the volume laws.
 // \param blocks any of the arrangement's blocks

@@ -1,10 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The Index Boolean authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Chains are walked from the junctions and open ends first; what is then left are cycles.
+// Chains are walked from the junctions and open ends first; what is then left are cycles. Where
+// every segment is the crossing of two faces, the degree of a point tells all; elsewhere the faces
+// around it are asked.
 #include "loops.h"
 
 #include "parallel.h"
+#include "surface_complex.h"
+#include "weld.h"
 
 #include <algorithm>
 
@@ -16,23 +20,30 @@ namespace {
 // here.
 class Incidence {
 public:
-	explicit Incidence(const Curve& curve) : curve_(curve), segments_(2 * curve.segments.size()) {
-		for (const Segment& s : curve.segments) {
-			points_.push_back(s.begin);
-			points_.push_back(s.end);
+	// Of the segments for which `counts` is true.
+	template <class Counts>
+	Incidence(const Curve& curve, Counts&& counts) : curve_(curve) {
+		std::vector<std::uint32_t> used;
+		for (std::uint32_t s = 0; s < curve.segments.size(); ++s) {
+			if (counts(curve.segments[s])) {
+				used.push_back(s);
+				points_.push_back(curve.segments[s].begin);
+				points_.push_back(curve.segments[s].end);
+			}
 		}
 		std::sort(points_.begin(), points_.end());
 		points_.erase(std::unique(points_.begin(), points_.end()), points_.end());
 		first_.assign(points_.size() + 1, 0);
-		for (const Segment& s : curve.segments) {
-			++first_[index(s.begin) + 1];
-			++first_[index(s.end) + 1];
+		for (const std::uint32_t s : used) {
+			++first_[index(curve.segments[s].begin) + 1];
+			++first_[index(curve.segments[s].end) + 1];
 		}
 		for (std::size_t p = 0; p + 1 < first_.size(); ++p) {
 			first_[p + 1] += first_[p];
 		}
 		std::vector<std::uint32_t> next(first_.begin(), first_.end() - 1);
-		for (std::uint32_t s = 0; s < curve.segments.size(); ++s) {
+		segments_.resize(2 * used.size());
+		for (const std::uint32_t s : used) {
 			segments_[next[index(curve.segments[s].begin)]++] = s;
 			segments_[next[index(curve.segments[s].end)]++] = s;
 		}
@@ -50,6 +61,10 @@ public:
 		const Segment& segment = at(curve_.segments, s);
 		return segment.begin == v ? segment.end : segment.begin;
 	}
+	// Of a point with two segments: the other one.
+	SegmentId nextSegment(VertexId v, SegmentId s) const {
+		return segment(v, 0) == s ? segment(v, 1) : segment(v, 0);
+	}
 
 private:
 	std::size_t index(VertexId v) const {
@@ -63,70 +78,155 @@ private:
 	std::vector<std::uint32_t> segments_;
 };
 
+class Tracer {
+public:
+	Tracer(Arrangement& arrangement, Monitor& monitor)
+	    : arrangement_(arrangement), curve_(arrangement.curve), monitor_(monitor) {}
+
+	Status run();
+
+private:
+	bool isPassed(const Incidence& incidence, VertexId point) const;
+	Loop walk(const Incidence& incidence, VertexId start, SegmentId segment);
+	void trace(const Incidence& incidence);
+	void orient(Loop& loop) const;
+	bool isBefore(const Loop& a, const Loop& b) const;
+
+	Arrangement& arrangement_;
+	const Curve& curve_;
+	Monitor& monitor_;
+	bool allCross_ = true;
+	SurfaceComplex complex_;  // unless allCross_
+	std::vector<std::uint8_t> visited_;
+};
+
+// Whether the curve passes a point: it has two segments there, and the faces at the one are, going
+// round the point, those at the other.
+bool Tracer::isPassed(const Incidence& incidence, VertexId point) const {
+	if (incidence.degree(point) != 2 || allCross_) {
+		return incidence.degree(point) == 2;
+	}
+	const VertexId before = incidence.otherEnd(incidence.segment(point, 0), point);
+	const VertexId after = incidence.otherEnd(incidence.segment(point, 1), point);
+	const PartingEdge* first = complex_.partingEdge(before, point);
+	const PartingEdge* second = complex_.partingEdge(point, after);
+	bool passed = first->count == second->count;
+	for (std::uint32_t i = first->first; i < first->first + first->count && passed; ++i) {
+		const HalfEdgeId last = complex_.turnAround(complex_.halfEdges[i], point);
+		passed = complex_.beginOf(last) == after || complex_.endOf(last) == after;
+	}
+	return passed;
+}
+
 // Follows the chain that leaves `start` along `segment` to its next junction or end, or round.
-Loop walk(const Incidence& incidence, VertexId start, SegmentId segment,
-          std::vector<std::uint8_t>& visited) {
-	Loop loop{LoopKind::HardClosed, {start}};
+Loop Tracer::walk(const Incidence& incidence, VertexId start, SegmentId segment) {
+	Loop loop{LoopKind::HardClosed, {start}, {}};
 	VertexId point = start;
 	while (true) {
-		at(visited, segment) = 1;
+		at(visited_, segment) = 1;
 		point = incidence.otherEnd(segment, point);
 		loop.points.push_back(point);
-		if (point == start || incidence.degree(point) != 2) {
+		loop.faces.push_back({at(curve_.segments, segment).a, at(curve_.segments, segment).b});
+		if (point == start || !isPassed(incidence, point)) {
 			break;
 		}
-		const SegmentId first = incidence.segment(point, 0);
-		segment = first == segment ? incidence.segment(point, 1) : first;
+		segment = incidence.nextSegment(point, segment);
 	}
-	const std::uint32_t startDegree = incidence.degree(start);
-	const std::uint32_t endDegree = incidence.degree(point);
-	if (startDegree == 1 || endDegree == 1) {
+	if (incidence.degree(start) == 1 || incidence.degree(point) == 1) {
 		loop.kind = LoopKind::Open;
-	} else if (startDegree != 2) {
+	} else if (!isPassed(incidence, start)) {
 		loop.kind = LoopKind::SoftClosed;
 	}
 	return loop;
 }
 
-void count(LoopKind kind, LoopCounts& counts) {
-	switch (kind) {
-	case LoopKind::Open:
-		++counts.open;
-		break;
-	case LoopKind::HardClosed:
-		++counts.hardClosed;
-		break;
-	case LoopKind::SoftClosed:
-		++counts.softClosed;
-		break;
+// Gives a loop the direction, and a cycle the start, that its coordinates tell.
+void Tracer::orient(Loop& loop) const {
+	const auto before = [this](VertexId a, VertexId b) {
+		return comparePlaces(arrangement_, a, b) < 0;
+	};
+	std::vector<VertexId>& points = loop.points;
+	if (loop.kind == LoopKind::HardClosed) {
+		points.pop_back();
+		const auto smallest = std::min_element(points.begin(), points.end(), before);
+		std::rotate(loop.faces.begin(), loop.faces.begin() + (smallest - points.begin()),
+		            loop.faces.end());
+		std::rotate(points.begin(), smallest, points.end());
+		points.push_back(points.front());
 	}
+	const bool isCycle = points.front() == points.back();
+	const VertexId first = isCycle ? points[1] : points.front();
+	const VertexId last = isCycle ? points[points.size() - 2] : points.back();
+	if (before(last, first)) {
+		std::reverse(points.begin(), points.end());
+		std::reverse(loop.faces.begin(), loop.faces.end());
+	}
+}
+
+bool Tracer::isBefore(const Loop& a, const Loop& b) const {
+	return std::lexicographical_compare(
+	    a.points.begin(), a.points.end(), b.points.begin(), b.points.end(),
+	    [this](VertexId p, VertexId q) { return comparePlaces(arrangement_, p, q) < 0; });
+}
+
+void Tracer::trace(const Incidence& incidence) {
+	visited_.assign(curve_.segments.size(), 0);
+	std::vector<Loop>& loops = arrangement_.loops;
+	for (const bool fromJunctions : {true, false}) {
+		for (const VertexId point : incidence.points()) {
+			if (fromJunctions && isPassed(incidence, point)) {
+				continue;
+			}
+			for (std::uint32_t i = 0; i < incidence.degree(point); ++i) {
+				const SegmentId segment = incidence.segment(point, i);
+				if (at(visited_, segment) == 0) {
+					loops.push_back(walk(incidence, point, segment));
+					orient(loops.back());
+				}
+			}
+		}
+	}
+	std::sort(loops.begin(), loops.end(),
+	          [this](const Loop& a, const Loop& b) { return isBefore(a, b); });
+}
+
+void count(const std::vector<Loop>& loops, LoopCounts& counts) {
+	for (const Loop& loop : loops) {
+		switch (loop.kind) {
+		case LoopKind::Open:
+			++counts.open;
+			break;
+		case LoopKind::HardClosed:
+			++counts.hardClosed;
+			break;
+		case LoopKind::SoftClosed:
+			++counts.softClosed;
+			break;
+		}
+	}
+}
+
+Status Tracer::run() {
+	allCross_ = std::all_of(curve_.segments.begin(), curve_.segments.end(),
+	                        [](const Segment& s) { return s.crossing; });
+	Status status;
+	if (!allCross_) {
+		status = buildComplex(arrangement_, ComplexOf::Pieces, monitor_, complex_);
+	}
+	if (status.ok()) {
+		trace(Incidence(curve_, [this](const Segment& s) {
+			return s.crossing || complex_.partingEdge(s.begin, s.end) != nullptr;
+		}));
+		count(arrangement_.loops, arrangement_.loopCounts);
+		status.code = pollCancelled(monitor_) ? StatusCode::Cancelled : StatusCode::Ok;
+	}
+	return status;
 }
 
 }  // namespace
 
 Status traceLoops(Arrangement& arrangement, Monitor& monitor) {
-	const Curve& curve = arrangement.curve;
-	const Incidence incidence(curve);
-	std::vector<std::uint8_t> visited(curve.segments.size(), 0);
-	const auto walkFrom = [&](VertexId p) {
-		for (std::uint32_t i = 0; i < incidence.degree(p); ++i) {
-			const SegmentId segment = incidence.segment(p, i);
-			if (at(visited, segment) == 0) {
-				arrangement.loops.push_back(walk(incidence, p, segment, visited));
-				count(arrangement.loops.back().kind, arrangement.loopCounts);
-			}
-		}
-	};
-	for (const bool fromJunctions : {true, false}) {
-		for (const VertexId point : incidence.points()) {
-			if ((incidence.degree(point) != 2) == fromJunctions) {
-				walkFrom(point);
-			}
-		}
-	}
-	Status status;
-	status.code = pollCancelled(monitor) ? StatusCode::Cancelled : StatusCode::Ok;
-	return status;
+	return Tracer(arrangement, monitor).run();
 }
 
 }  // namespace index_boolean

@@ -7,11 +7,11 @@
 // the origin and at any scale. A volume beyond the range of double becomes infinite or 0.
 #include "measure.h"
 
-#include "bounding_box.h"
 #include "mesh_checks.h"
 #include "parallel.h"
+#include "surface_sums.h"
 
-#include <cmath>
+#include <atomic>
 
 namespace index_boolean {
 
@@ -21,68 +21,10 @@ constexpr std::size_t kGrain = 8192;
 
 using Corners = std::array<std::uint32_t, 3>;
 
-// A sum of doubles that keeps what each addition rounds off.
-class CompensatedSum {
-public:
-	void add(double x) {
-		const double total = sum_ + x;
-		const double part = total - sum_;
-		lost_ += (sum_ - (total - part)) + (x - part);
-		sum_ = total;
-	}
-
-	void add(const CompensatedSum& other) {
-		add(other.sum_);
-		lost_ += other.lost_;
-	}
-
-	double value() const { return sum_ + lost_; }
-
-private:
-	double sum_ = 0;
-	double lost_ = 0;
-};
-
-// Moves the box's centre to the origin and brings its size near 1, by a power of two.
-struct Frame {
-	Point centre;
-	int exponent;  // of the power that undoes the scaling of a length
-	double scale;
-
-	Point map(const Point& p) const {
-		return {(p[0] - centre[0]) * scale, (p[1] - centre[1]) * scale, (p[2] - centre[2]) * scale};
-	}
-};
-
-Frame makeFrame(const BoundingBox& box) {
-	Frame frame{};
-	frame.centre = box.centre();
-	std::frexp(box.halfSize(), &frame.exponent);
-	frame.exponent = std::max(frame.exponent, -1000);  // a power's inverse has to be a double too
-	frame.scale = std::ldexp(1.0, -frame.exponent);
-	return frame;
-}
-
-struct Sums {
-	CompensatedSum sixVolumes;
-	CompensatedSum twoAreas;
-};
-
-// The edges' cross product comes first: it is small where the triangle is, so its roundings are
-// small compared with the triangle's share of the volume.
-void addTriangle(const Point& p, const Point& q, const Point& r, Sums& sums) {
-	const Point u = {q[0] - p[0], q[1] - p[1], q[2] - p[2]};
-	const Point v = {r[0] - p[0], r[1] - p[1], r[2] - p[2]};
-	const Point n = {u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2],
-	                 u[0] * v[1] - u[1] * v[0]};
-	sums.sixVolumes.add(p[0] * n[0] + p[1] * n[1] + p[2] * n[2]);
-	sums.twoAreas.add(std::sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]));
-}
-
 Status sumTriangles(const std::vector<Point>& points, const std::vector<Corners>& triangles,
-                    const Frame& frame, int threads, Sums& out) {
+                    const SumFrame& frame, int threads, SurfaceSums& out) {
 	Monitor unheard;
-	std::vector<Sums> parts(chunkCount(triangles.size(), kGrain));
+	std::vector<SurfaceSums> parts(chunkCount(triangles.size(), kGrain));
 	const Status status =
 	    parallelForChunks(triangles.size(), kGrain, threads, unheard,
 	                      [&](std::size_t chunk, std::size_t begin, std::size_t end) {
@@ -92,9 +34,8 @@ Status sumTriangles(const std::vector<Point>& points, const std::vector<Corners>
 			                                  frame.map(points[t[2]]), parts[chunk]);
 		                      }
 	                      });
-	for (const Sums& part : parts) {
-		out.sixVolumes.add(part.sixVolumes);
-		out.twoAreas.add(part.twoAreas);
+	for (const SurfaceSums& part : parts) {
+		out.add(part, 1);
 	}
 	return status;
 }
@@ -188,10 +129,10 @@ BlockMeasure measureSurface(const std::vector<Point>& points,
 		return measure;
 	Monitor unheard;
 	BoundingBox box{};
-	Sums sums;
+	SurfaceSums sums;
 	std::uint64_t checksum = 0;
 	Status status = findBoundingBox(points.data(), points.size(), threads, unheard, box);
-	const Frame frame = makeFrame(box);
+	const SumFrame frame = makeSumFrame(box);
 	if (status.ok())
 		status = sumTriangles(points, triangles, frame, threads, sums);
 	if (status.ok())
@@ -200,8 +141,8 @@ BlockMeasure measureSurface(const std::vector<Point>& points,
 		status = boundaryChecksum(triangles.data(), triangles.data() + triangles.size(), threads,
 		                          unheard, checksum);
 	}
-	measure.volume = std::ldexp(sums.sixVolumes.value() / 6, 3 * frame.exponent);
-	measure.area = std::ldexp(sums.twoAreas.value() / 2, 2 * frame.exponent);
+	measure.volume = volumeOf(sums, frame);
+	measure.area = areaOf(sums, frame);
 	measure.closed = status.ok() && checksum == 0;
 	return measure;
 }

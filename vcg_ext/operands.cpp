@@ -291,22 +291,30 @@ Status cleanZeroAreaFaces(Arrangement& arrangement, Monitor& monitor) {
 	return status.ok() ? checkSizes(arrangement.mesh) : status;
 }
 
-// Ok, or where an operand is not closed or not consistently oriented.
-Status checkClosed(const Arrangement& arrangement, Monitor& monitor) {
+Status findClosed(Arrangement& arrangement, Monitor& monitor) {
 	const MeshArrays& mesh = arrangement.mesh;
-	for (std::size_t operand = 0; operand < 2; ++operand) {
+	Status status;
+	for (std::size_t operand = 0; operand < 2 && status.ok(); ++operand) {
 		const Triangle* begin = mesh.triangles.data() + mesh.faceBegin[operand];
 		const Triangle* end = mesh.triangles.data() + mesh.faceBegin[operand + 1];
 		std::uint64_t sum = 0;
-		Status status = boundaryChecksum(begin, end, arrangement.options.threads, monitor, sum);
-		if (!status.ok()) {
-			return status;
-		}
-		if (sum == 0) {
+		status = boundaryChecksum(begin, end, arrangement.options.threads, monitor, sum);
+		arrangement.closed[operand] = sum == 0;
+	}
+	return status;
+}
+
+// Ok, or where an operand is not closed or not consistently oriented.
+Status checkClosed(Arrangement& arrangement, Monitor& monitor) {
+	const MeshArrays& mesh = arrangement.mesh;
+	Status status = findClosed(arrangement, monitor);
+	for (std::size_t operand = 0; operand < 2 && status.ok(); ++operand) {
+		if (arrangement.closed[operand]) {
 			continue;
 		}
 		UnmatchedEdges found;
-		findUnmatchedEdges(begin, end, found);
+		findUnmatchedEdges(mesh.triangles.data() + mesh.faceBegin[operand],
+		                   mesh.triangles.data() + mesh.faceBegin[operand + 1], found);
 		const bool open = found.borderEdges > 0;
 		status =
 		    failure(open ? StatusCode::NotClosed : StatusCode::NotOriented,
@@ -316,9 +324,8 @@ Status checkClosed(const Arrangement& arrangement, Monitor& monitor) {
 		for (const std::uint32_t face : found.faces) {
 			status.faces.push_back(arrangement.givenFace({face + mesh.faceBegin[operand]}));
 		}
-		return status;
 	}
-	return {};
+	return status;
 }
 
 struct VolumeSum {
@@ -357,31 +364,44 @@ Status sumVolume(const Arrangement& arrangement, std::size_t operand, Monitor& m
 	return status;
 }
 
-// Decides on which side of each operand its solid lies, and turns it if that is in front.
-Status turnRightSideOut(Arrangement& arrangement, Monitor& monitor) {
-	MeshArrays& mesh = arrangement.mesh;
+// Finds the volumes of the closed operands, and on which side of each its solid lies. An operand
+// without volume is refused, if it must not be.
+Status findVolumes(Arrangement& arrangement, bool mustHaveVolume, Monitor& monitor) {
+	const MeshArrays& mesh = arrangement.mesh;
 	for (std::size_t operand = 0; operand < 2; ++operand) {
+		if (!arrangement.closed[operand]) {
+			continue;
+		}
 		VolumeSum sum;
 		const Status status = sumVolume(arrangement, operand, monitor, sum);
 		if (!status.ok()) {
 			return status;
 		}
-		Triangle* begin = mesh.triangles.data() + mesh.faceBegin[operand];
-		Triangle* end = mesh.triangles.data() + mesh.faceBegin[operand + 1];
 		int sign = Bounded(sum.value, sum.bound).sign();
 		if (sign == kUnknownSign || sign == 0) {
-			sign = exactVolumeSign(mesh.points, begin, end);
+			sign = exactVolumeSign(mesh.points, mesh.triangles.data() + mesh.faceBegin[operand],
+			                       mesh.triangles.data() + mesh.faceBegin[operand + 1]);
 		}
-		if (sign == 0) {
+		if (sign == 0 && mustHaveVolume) {
 			return failure(StatusCode::NoVolume, static_cast<int>(operand), 0);
 		}
 		arrangement.turned[operand] = sign < 0;
 		arrangement.volume[operand] = std::fabs(sum.value) / 6;
-		if (sign < 0) {
-			std::for_each(begin, end, [](Triangle& t) { std::swap(t[1], t[2]); });
-		}
 	}
 	return {};
+}
+
+Status turnRightSideOut(Arrangement& arrangement, Monitor& monitor) {
+	MeshArrays& mesh = arrangement.mesh;
+	const Status status = findVolumes(arrangement, true, monitor);
+	for (std::size_t operand = 0; operand < 2; ++operand) {
+		if (status.ok() && arrangement.turned[operand]) {
+			std::for_each(mesh.triangles.begin() + mesh.faceBegin[operand],
+			              mesh.triangles.begin() + mesh.faceBegin[operand + 1],
+			              [](Triangle& t) { std::swap(t[1], t[2]); });
+		}
+	}
+	return status;
 }
 
 Status findNonManifold(Arrangement& arrangement, Monitor& monitor) {
@@ -402,9 +422,8 @@ Status findNonManifold(Arrangement& arrangement, Monitor& monitor) {
 	return status;
 }
 
-}  // namespace
-
-Status prepareOperands(Arrangement& arrangement, Monitor& monitor) {
+// Checks the arrays, welds vertices and drops faces with two equal corners.
+Status weldOperands(Arrangement& arrangement, Monitor& monitor) {
 	MeshArrays& mesh = arrangement.mesh;
 	const int threads = arrangement.options.threads;
 	Status status = checkSizes(mesh);
@@ -414,9 +433,13 @@ Status prepareOperands(Arrangement& arrangement, Monitor& monitor) {
 	if (status.ok()) {
 		status = weldCorners(mesh, threads, monitor);
 	}
-	if (status.ok()) {
-		status = dropCollapsedFaces(arrangement);
-	}
+	return status.ok() ? dropCollapsedFaces(arrangement) : status;
+}
+
+}  // namespace
+
+Status prepareOperands(Arrangement& arrangement, Monitor& monitor) {
+	Status status = weldOperands(arrangement, monitor);
 	if (status.ok()) {
 		status = removeDuplicateFaces(arrangement, monitor);
 	}
@@ -433,6 +456,20 @@ Status prepareOperands(Arrangement& arrangement, Monitor& monitor) {
 		status = turnRightSideOut(arrangement, monitor);
 	}
 	return status;
+}
+
+Status prepareSurfaces(Arrangement& arrangement, Monitor& monitor) {
+	Status status = weldOperands(arrangement, monitor);
+	if (status.ok()) {
+		status = cleanZeroAreaFaces(arrangement, monitor);
+	}
+	if (status.ok()) {
+		status = takeDuplicateFacesOnce(arrangement, monitor);
+	}
+	if (status.ok()) {
+		status = findClosed(arrangement, monitor);
+	}
+	return status.ok() ? findVolumes(arrangement, false, monitor) : status;
 }
 
 }  // namespace index_boolean

@@ -13,10 +13,17 @@
 
 namespace index_boolean {
 
-// Checks and prepares arrangement.mesh in place; fills faceGiven, turned, duplicates and volume.
+// Checks and prepares arrangement.mesh in place; fills faceGiven, closed, turned, duplicates
+// and volume.
 // \return Ok, Cancelled, OutOfMemory, EmptyOperand, NotFinite, IndexOutOfRange, TooLarge,
 //         NotClosed, NotOriented, NoVolume, SelfIntersecting
 // Complexity: O(n); the exact volume sign, needed only next to zero, is O(n) big numbers.
 Status prepareOperands(Arrangement& arrangement, Monitor& monitor);
+
+// The same for surfaces of any kind, which may be open: checked, welded, free of degenerate faces,
+// each face once. None is turned. Fills faceGiven, closed, duplicates and, of closed operands,
+// turned and volume.
+// \return Ok, Cancelled, OutOfMemory, EmptyOperand, NotFinite, IndexOutOfRange, TooLarge
+Status prepareSurfaces(Arrangement& arrangement, Monitor& monitor);
 
 }  // namespace index_boolean

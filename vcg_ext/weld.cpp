@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cmath>
 
 namespace index_boolean {
 
@@ -384,6 +385,27 @@ Status Welder::run() {
 	return status;
 }
 
+// The exact point rounded to float, once: the double next to it decides, unless it lies half-way
+// between two floats; then the exact point's side of it does.
+double roundedToFloat(const ExactPoint& point, std::size_t axis) {
+	const double value = point.rounded[axis];
+	const auto nearest = static_cast<float>(value);
+	if (point.form == ExactPoint::Form::Explicit || !std::isfinite(nearest)) {
+		return static_cast<double>(nearest);
+	}
+	const double towards = value > static_cast<double>(nearest) ? HUGE_VAL : -HUGE_VAL;
+	const double next = static_cast<double>(std::nextafter(nearest, static_cast<float>(towards)));
+	if (value - static_cast<double>(nearest) != next - value) {
+		return static_cast<double>(nearest);
+	}
+	const Point middle = point.rounded;
+	const int side =
+	    compareCoordinate(point, ExactPoint::explicitPoint(middle), static_cast<int>(axis));
+	const double low = std::min(static_cast<double>(nearest), next);
+	const double high = std::max(static_cast<double>(nearest), next);
+	return side == 0 ? static_cast<double>(nearest) : (side < 0 ? low : high);
+}
+
 }  // namespace
 
 ExactPoint exactPoint(const Arrangement& arrangement, VertexId vertex) {
@@ -405,6 +427,33 @@ ExactPoint exactPoint(const Arrangement& arrangement, VertexId vertex) {
 	}
 	point.rounded = at(arrangement.curve.rounded, id);
 	return point;
+}
+
+int comparePlaces(const Arrangement& arrangement, VertexId a, VertexId b) {
+	const Point& p = arrangement.coordinates(a);
+	const Point& q = arrangement.coordinates(b);
+	const bool areInput = !arrangement.isCurvePoint(a) && !arrangement.isCurvePoint(b);
+	for (std::size_t k = 0; k < 3 && a != b; ++k) {
+		if (p[k] != q[k]) {
+			return p[k] < q[k] ? -1 : 1;  // rounding keeps the order
+		}
+		const int order = areInput
+		                      ? 0
+		                      : compareCoordinate(exactPoint(arrangement, a),
+		                                          exactPoint(arrangement, b), static_cast<int>(k));
+		if (order != 0) {
+			return order;
+		}
+	}
+	return 0;
+}
+
+Point outputCoordinates(const Arrangement& arrangement, VertexId vertex) {
+	if (arrangement.options.outputScalar == OutputScalar::Double) {
+		return arrangement.coordinates(vertex);
+	}
+	const ExactPoint exact = exactPoint(arrangement, vertex);
+	return {roundedToFloat(exact, 0), roundedToFloat(exact, 1), roundedToFloat(exact, 2)};
 }
 
 Status weldPoints(Arrangement& arrangement, const Contacts& contacts, Monitor& monitor) {

@@ -19,6 +19,12 @@ namespace index_boolean {
 // \param vertex an input vertex or a numbered curve point
 ExactPoint exactPoint(const Arrangement& arrangement, VertexId vertex);
 
+// Compares two vertices by their exact coordinates, lexicographically: -1, 0, +1.
+int comparePlaces(const Arrangement& arrangement, VertexId a, VertexId b);
+
+// A vertex's coordinates as they are delivered: the exact point, rounded once to the output scalar.
+Point outputCoordinates(const Arrangement& arrangement, VertexId vertex);
+
 // Fills arrangement.curve.
 // \return Ok, Cancelled, OutOfMemory, InternalError; SelfIntersecting if two faces of one operand
 //         pierce an edge in one point

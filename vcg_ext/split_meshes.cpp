@@ -1,0 +1,162 @@
+// SPDX-FileCopyrightText: 2026 The Index Boolean authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "split_meshes.h"
+
+#include "clean.h"
+#include "parallel.h"
+#include "weld.h"
+
+#include <algorithm>
+
+namespace index_boolean {
+
+namespace {
+
+constexpr std::size_t kGrain = 1 << 14;
+
+// A face of the complex as a mesh has it.
+struct ChosenFace {
+	std::uint32_t face;
+	FaceSource source;
+	bool turned;  // the other way than the complex has it
+};
+
+class Collector {
+public:
+	Collector(const Arrangement& arrangement, const SubSurfaces& surfaces, const SubBlocks& blocks,
+	          Monitor& monitor, SplitMesh& out)
+	    : arrangement_(arrangement), surfaces_(surfaces), blocks_(blocks), monitor_(monitor),
+	      out_(out) {}
+
+	void choose(const ChosenFace& face) { chosen_.push_back(face); }
+	// Makes the mesh of the chosen faces.
+	Status run();
+
+private:
+	Status numberVertices();
+	Status clean();
+	std::array<std::int32_t, 2> besideOf(const ChosenFace& face) const;
+
+	const Arrangement& arrangement_;
+	const SubSurfaces& surfaces_;
+	const SubBlocks& blocks_;
+	Monitor& monitor_;
+	SplitMesh& out_;
+	std::vector<ChosenFace> chosen_;
+};
+
+std::array<std::int32_t, 2> Collector::besideOf(const ChosenFace& face) const {
+	std::array<std::int32_t, 2> beside = at(blocks_.beside, surfaces_.ofFace[face.face]);
+	if (face.turned != (surfaces_.turned[face.face] != 0)) {
+		std::swap(beside[0], beside[1]);
+	}
+	return beside;
+}
+
+// Vertices in the order of their ids.
+Status Collector::numberVertices() {
+	for (const ChosenFace& face : chosen_) {
+		const Triangle& t = surfaces_.complex.faces[face.face].corners;
+		out_.vertexSource.insert(out_.vertexSource.end(), t.begin(), t.end());
+	}
+	std::vector<VertexId>& used = out_.vertexSource;
+	std::sort(used.begin(), used.end());
+	used.erase(std::unique(used.begin(), used.end()), used.end());
+	out_.points.resize(used.size());
+	return parallelFor(used.size(), kGrain, arrangement_.options.threads, monitor_,
+	                   [&](std::size_t begin, std::size_t end) {
+		                   for (std::size_t v = begin; v < end; ++v) {
+			                   out_.points[v] = outputCoordinates(arrangement_, used[v]);
+		                   }
+	                   });
+}
+
+Status Collector::clean() {
+	const int threads = arrangement_.options.threads;
+	std::vector<std::uint32_t> zeroAreaFaces;
+	CleanResult cleaned;
+	Relocation relocated;
+	Status status =
+	    findZeroAreaFaces(out_.points, out_.triangles, FaceRange{0, out_.triangles.size()}, threads,
+	                      monitor_, zeroAreaFaces);
+	if (status.ok()) {
+		status =
+		    cleanSurface(out_.points, zeroAreaFaces, threads, monitor_, out_.triangles, cleaned);
+	}
+	if (status.ok()) {
+		cleaned.faces.apply(out_.faceSource);
+		cleaned.faces.apply(out_.subSurface);
+		cleaned.faces.apply(out_.beside);
+		out_.zeroAreaFacesRemoved = cleaned.zeroAreaFacesRemoved;
+		status = removeVertices(cleaned.unreferenced, threads, monitor_, out_.points,
+		                        out_.triangles, relocated);
+	}
+	if (status.ok()) {
+		relocated.apply(out_.vertexSource);
+	}
+	return status;
+}
+
+Status Collector::run() {
+	Status status = numberVertices();
+	const auto numberOf = [this](VertexId v) {
+		const auto it = std::lower_bound(out_.vertexSource.begin(), out_.vertexSource.end(), v);
+		return static_cast<std::uint32_t>(it - out_.vertexSource.begin());
+	};
+	const std::size_t n = chosen_.size();
+	out_.triangles.resize(n);
+	out_.faceSource.resize(n);
+	out_.subSurface.resize(n);
+	out_.beside.resize(n);
+	const auto write = [&](std::size_t begin, std::size_t end) {
+		for (std::size_t i = begin; i < end; ++i) {
+			const ChosenFace& face = chosen_[i];
+			const Triangle& t = surfaces_.complex.faces[face.face].corners;
+			out_.triangles[i] = {numberOf(t[0]), numberOf(t[face.turned ? 2 : 1]),
+			                     numberOf(t[face.turned ? 1 : 2])};
+			out_.faceSource[i] = face.source;
+			out_.subSurface[i] = surfaces_.ofFace[face.face];
+			out_.beside[i] = besideOf(face);
+		}
+	};
+	if (status.ok()) {
+		status = parallelFor(n, kGrain, arrangement_.options.threads, monitor_, write);
+	}
+	return status.ok() ? clean() : status;
+}
+
+}  // namespace
+
+Status collectSubSurfaces(const Arrangement& arrangement, const SubSurfaces& surfaces,
+                          const SubBlocks& blocks, std::size_t operand, Monitor& monitor,
+                          SplitMesh& out) {
+	out = SplitMesh{};
+	Collector collector(arrangement, surfaces, blocks, monitor, out);
+	const std::vector<RefinedFace>& faces = surfaces.complex.faces;
+	for (std::uint32_t f = 0; f < faces.size(); ++f) {
+		const FaceId source = faces[f].sources[operand];
+		if (source != FaceId::none()) {
+			const bool isOther = source != faces[f].source();
+			collector.choose({f, {source, false}, isOther && faces[f].opposed});
+		}
+	}
+	return collector.run();
+}
+
+Status collectSubBlock(const Arrangement& arrangement, const SubSurfaces& surfaces,
+                       const SubBlocks& blocks, SubBlockId block, Monitor& monitor,
+                       SplitMesh& out) {
+	out = SplitMesh{};
+	Collector collector(arrangement, surfaces, blocks, monitor, out);
+	for (const SubSurfaceSide& side : at(blocks.all, block).sides) {
+		const SubSurface& surface = at(surfaces.all, side.of);
+		for (std::uint32_t i = surface.firstFace; i < surface.firstFace + surface.faceCount; ++i) {
+			const std::uint32_t face = surfaces.faces[i];
+			const bool turned = side.isBack == (surfaces.turned[face] != 0);
+			collector.choose({face, {surfaces.complex.faces[face].source(), turned}, turned});
+		}
+	}
+	return collector.run();
+}
+
+}  // namespace index_boolean

@@ -1,0 +1,37 @@
+// SPDX-FileCopyrightText: 2026 The Index Boolean authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// in: sub-surfaces and sub-blocks; out: meshes of them, each element with where it came from.
+// Guarantee: a sub-block's mesh is closed and faces outwards; coordinates are rounded once; no face
+// has zero area. Cuts stay, so that neighbours fit together.
+#pragma once
+
+#include "blocks.h"
+#include "sub_blocks.h"
+
+namespace index_boolean {
+
+// Arrays are parallel: points with vertexSource, triangles with the others.
+struct SplitMesh {
+	std::vector<Point> points;
+	std::vector<VertexId> vertexSource;
+	std::vector<std::array<std::uint32_t, 3>> triangles;
+	std::vector<FaceSource> faceSource;
+	std::vector<SubSurfaceId> subSurface;
+	std::vector<std::array<std::int32_t, 2>> beside;  // blocks in front of the face and behind it
+	std::size_t zeroAreaFacesRemoved = 0;
+	std::vector<StageTime> stageTimes;
+};
+
+// The mesh of all sub-surfaces of one operand: that operand with its cuts, turned as it was given.
+// \return Ok, Cancelled, OutOfMemory, InternalError. Complexity: O(n).
+Status collectSubSurfaces(const Arrangement& arrangement, const SubSurfaces& surfaces,
+                          const SubBlocks& blocks, std::size_t operand, Monitor& monitor,
+                          SplitMesh& out);
+
+// The boundary of one sub-block, which lies behind all faces; what dangles in it is left out.
+// \return Ok, Cancelled, OutOfMemory, InternalError. Complexity: O(m log m) for its m faces.
+Status collectSubBlock(const Arrangement& arrangement, const SubSurfaces& surfaces,
+                       const SubBlocks& blocks, SubBlockId block, Monitor& monitor, SplitMesh& out);
+
+}  // namespace index_boolean
