@@ -45,8 +45,12 @@ Status checkSizes(const MeshArrays& mesh) {
 	return {};
 }
 
-bool isFinite(const Point& p) {
-	return std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]);
+// Whether the output scalar can hold a point. Then it can hold all points between such points.
+bool isFinite(const Point& p, OutputScalar scalar) {
+	return std::all_of(p.begin(), p.end(), [scalar](double c) {
+		return scalar == OutputScalar::Float ? std::isfinite(static_cast<float>(c))
+		                                     : std::isfinite(c);
+	});
 }
 
 bool cornersExist(const MeshArrays& mesh, std::size_t face) {
@@ -59,22 +63,25 @@ bool cornersExist(const MeshArrays& mesh, std::size_t face) {
 }
 
 // The first defect of one face's corners, or Ok.
-StatusCode cornerDefect(const MeshArrays& mesh, std::size_t face) {
+StatusCode cornerDefect(const MeshArrays& mesh, std::size_t face, OutputScalar scalar) {
 	if (!cornersExist(mesh, face)) {
 		return StatusCode::IndexOutOfRange;
 	}
 	const Triangle& t = mesh.triangles[face];
-	const bool finite =
-	    std::all_of(t.begin(), t.end(), [&](VertexId v) { return isFinite(at(mesh.points, v)); });
+	const bool finite = std::all_of(
+	    t.begin(), t.end(), [&](VertexId v) { return isFinite(at(mesh.points, v), scalar); });
 	return finite ? StatusCode::Ok : StatusCode::NotFinite;
 }
 
 // Lists the faces of one operand that have the given defect.
-Status refuseCorners(const MeshArrays& mesh, StatusCode code) {
+Status refuseCorners(const Arrangement& arrangement, StatusCode code) {
+	const MeshArrays& mesh = arrangement.mesh;
+	const OutputScalar scalar = arrangement.options.outputScalar;
 	Status status;
 	for (std::size_t face = 0; face < mesh.triangles.size(); ++face) {
 		const int operand = mesh.operandOf(makeId<FaceTag>(face));
-		if (cornerDefect(mesh, face) == code && (status.ok() || status.operand == operand)) {
+		if (cornerDefect(mesh, face, scalar) == code &&
+		    (status.ok() || status.operand == operand)) {
 			status.code = code;
 			status.operand = operand;
 			status.faces.push_back(static_cast<std::uint32_t>(
@@ -87,12 +94,15 @@ Status refuseCorners(const MeshArrays& mesh, StatusCode code) {
 
 // Two streams, over points and over triangles, tell that all is well; only a defect in one of them
 // starts the search for faces, since a bad vertex that no face uses does not matter.
-Status checkCorners(const MeshArrays& mesh, int threads, Monitor& monitor) {
+Status checkCorners(const Arrangement& arrangement, Monitor& monitor) {
+	const MeshArrays& mesh = arrangement.mesh;
+	const OutputScalar scalar = arrangement.options.outputScalar;
+	const int threads = arrangement.options.threads;
 	std::atomic<bool> suspicious{false};
 	Status status = parallelFor(mesh.points.size(), kGrain, threads, monitor,
 	                            [&](std::size_t begin, std::size_t end) {
 		                            for (std::size_t p = begin; p < end; ++p) {
-			                            if (!isFinite(mesh.points[p])) {
+			                            if (!isFinite(mesh.points[p], scalar)) {
 				                            suspicious = true;
 			                            }
 		                            }
@@ -110,8 +120,8 @@ Status checkCorners(const MeshArrays& mesh, int threads, Monitor& monitor) {
 	if (!status.ok() || !suspicious) {
 		return status;
 	}
-	status = refuseCorners(mesh, StatusCode::IndexOutOfRange);
-	return status.ok() ? refuseCorners(mesh, StatusCode::NotFinite) : status;
+	status = refuseCorners(arrangement, StatusCode::IndexOutOfRange);
+	return status.ok() ? refuseCorners(arrangement, StatusCode::NotFinite) : status;
 }
 
 constexpr std::uint32_t kEmpty = 0xffffffffu;
@@ -135,6 +145,11 @@ public:
 		slots_.assign(size, kEmpty);
 		bool any = false;
 		for (std::uint32_t v = begin; v < end; ++v) {
+			canonical[v] = {v};
+			// No face has a corner that is not finite; many such would probe past each other.
+			if (!isFinite(points_[v], OutputScalar::Double)) {
+				continue;
+			}
 			std::uint32_t& slot = slots_[find(points_[v])];
 			slot = slot == kEmpty ? v : slot;
 			canonical[v] = {slot};
@@ -159,43 +174,90 @@ private:
 	std::vector<std::uint32_t> slots_;
 };
 
-// Replaces each corner by the first vertex with the same coordinates, of the first operand if it
-// has one: where vertices of both coincide, they are one vertex from here on.
-Status weldCorners(MeshArrays& mesh, int threads, Monitor& monitor) {
-	std::vector<VertexId> canonical(mesh.points.size());
-	std::array<VertexTable, 2> tables;
-	std::array<bool, 2> any{};
-	const int halves = threadsForHalves(mesh.points.size(), threads);
-	Status status = parallelFor(2, 1, halves, monitor, [&](std::size_t begin, std::size_t end) {
-		for (std::size_t operand = begin; operand < end; ++operand) {
-			any[operand] = tables[operand].fill(mesh, operand, canonical);
-		}
-	});
-	std::atomic<bool> anyShared{false};
-	const std::size_t second = mesh.vertexBegin[1];
-	if (status.ok()) {
-		status = parallelFor(mesh.points.size() - second, kGrain, threads, monitor,
-		                     [&](std::size_t begin, std::size_t end) {
-			                     for (std::size_t v = second + begin; v < second + end; ++v) {
-				                     const std::uint32_t twin = tables[0].vertexAt(mesh.points[v]);
-				                     if (twin != kEmpty) {
-					                     canonical[v] = {twin};
-					                     anyShared = true;
-				                     }
-			                     }
-		                     });
-	}
-	if (!status.ok() || !(any[0] || any[1] || anyShared)) {
-		return status;
-	}
-	return parallelFor(mesh.triangles.size(), kGrain, threads, monitor,
+// Welds vertices by their coordinates: first those of each operand; once it is known which of them
+// faces still use, those of the second to those of the first.
+class CornerWelder {
+public:
+	CornerWelder(MeshArrays& mesh, int threads, Monitor& monitor)
+	    : mesh_(mesh), threads_(threads), monitor_(monitor) {}
+
+	Status weldWithinOperands();
+	Status weldSecondToFirst();
+
+private:
+	Status replaceCorners(std::size_t firstFace);
+	std::vector<bool> usedByFirst() const;
+
+	MeshArrays& mesh_;
+	int threads_;
+	Monitor& monitor_;
+	std::array<VertexTable, 2> tables_;
+	std::vector<VertexId> canonical_;  // per vertex: what it is replaced by
+};
+
+// Replaces each corner of the faces from firstFace on.
+Status CornerWelder::replaceCorners(std::size_t firstFace) {
+	return parallelFor(mesh_.triangles.size() - firstFace, kGrain, threads_, monitor_,
 	                   [&](std::size_t begin, std::size_t end) {
-		                   for (std::size_t face = begin; face < end; ++face) {
-			                   for (VertexId& v : mesh.triangles[face]) {
-				                   v = at(canonical, v);
+		                   for (std::size_t f = firstFace + begin; f < firstFace + end; ++f) {
+			                   for (VertexId& v : mesh_.triangles[f]) {
+				                   v = at(canonical_, v);
 			                   }
 		                   }
 	                   });
+}
+
+// Replaces each corner by the first vertex of its operand with the same coordinates.
+Status CornerWelder::weldWithinOperands() {
+	canonical_.resize(mesh_.points.size());
+	std::array<bool, 2> any{};
+	const int halves = threadsForHalves(mesh_.points.size(), threads_);
+	const Status status =
+	    parallelFor(2, 1, halves, monitor_, [&](std::size_t begin, std::size_t end) {
+		    for (std::size_t operand = begin; operand < end; ++operand) {
+			    any[operand] = tables_[operand].fill(mesh_, operand, canonical_);
+		    }
+	    });
+	return status.ok() && (any[0] || any[1]) ? replaceCorners(0) : status;
+}
+
+// Per vertex of the first operand: a face of it has a corner there.
+std::vector<bool> CornerWelder::usedByFirst() const {
+	std::vector<bool> used(mesh_.vertexBegin[1], false);
+	for (std::size_t face = 0; face < mesh_.faceBegin[1]; ++face) {
+		for (const VertexId v : mesh_.triangles[face]) {
+			used[v.value] = true;
+		}
+	}
+	return used;
+}
+
+// Where vertices of both operands coincide, they are one vertex from here on. A vertex that no face
+// of the first operand uses (any more) is none of its vertices.
+Status CornerWelder::weldSecondToFirst() {
+	const std::size_t second = mesh_.vertexBegin[1];
+	std::atomic<bool> anyShared{false};
+	const Status status =
+	    parallelFor(mesh_.points.size() - second, kGrain, threads_, monitor_,
+	                [&](std::size_t begin, std::size_t end) {
+		                for (std::size_t v = second + begin; v < second + end; ++v) {
+			                const std::uint32_t twin = tables_[0].vertexAt(mesh_.points[v]);
+			                canonical_[v] = {twin == kEmpty ? static_cast<std::uint32_t>(v) : twin};
+			                if (twin != kEmpty) {
+				                anyShared = true;
+			                }
+		                }
+	                });
+	if (!status.ok() || !anyShared) {
+		return status;
+	}
+	const std::vector<bool> used = usedByFirst();
+	for (std::size_t v = second; v < canonical_.size(); ++v) {
+		if (canonical_[v].value < second && !used[canonical_[v].value]) {
+			canonical_[v] = {static_cast<std::uint32_t>(v)};
+		}
+	}
+	return replaceCorners(mesh_.faceBegin[1]);
 }
 
 bool hasEqualCorners(const Triangle& t) { return t[0] == t[1] || t[1] == t[2] || t[2] == t[0]; }
@@ -422,16 +484,14 @@ Status findNonManifold(Arrangement& arrangement, Monitor& monitor) {
 	return status;
 }
 
-// Checks the arrays, welds vertices and drops faces with two equal corners.
-Status weldOperands(Arrangement& arrangement, Monitor& monitor) {
-	MeshArrays& mesh = arrangement.mesh;
-	const int threads = arrangement.options.threads;
-	Status status = checkSizes(mesh);
+// Checks the arrays, welds each operand's vertices and drops faces with two equal corners.
+Status weldOperands(Arrangement& arrangement, Monitor& monitor, CornerWelder& welder) {
+	Status status = checkSizes(arrangement.mesh);
 	if (status.ok()) {
-		status = checkCorners(mesh, threads, monitor);
+		status = checkCorners(arrangement, monitor);
 	}
 	if (status.ok()) {
-		status = weldCorners(mesh, threads, monitor);
+		status = welder.weldWithinOperands();
 	}
 	return status.ok() ? dropCollapsedFaces(arrangement) : status;
 }
@@ -439,7 +499,8 @@ Status weldOperands(Arrangement& arrangement, Monitor& monitor) {
 }  // namespace
 
 Status prepareOperands(Arrangement& arrangement, Monitor& monitor) {
-	Status status = weldOperands(arrangement, monitor);
+	CornerWelder welder(arrangement.mesh, arrangement.options.threads, monitor);
+	Status status = weldOperands(arrangement, monitor, welder);
 	if (status.ok()) {
 		status = removeDuplicateFaces(arrangement, monitor);
 	}
@@ -448,6 +509,9 @@ Status prepareOperands(Arrangement& arrangement, Monitor& monitor) {
 	}
 	if (status.ok()) {
 		status = cleanZeroAreaFaces(arrangement, monitor);
+	}
+	if (status.ok()) {
+		status = welder.weldSecondToFirst();
 	}
 	if (status.ok()) {
 		status = findNonManifold(arrangement, monitor);
@@ -459,12 +523,16 @@ Status prepareOperands(Arrangement& arrangement, Monitor& monitor) {
 }
 
 Status prepareSurfaces(Arrangement& arrangement, Monitor& monitor) {
-	Status status = weldOperands(arrangement, monitor);
+	CornerWelder welder(arrangement.mesh, arrangement.options.threads, monitor);
+	Status status = weldOperands(arrangement, monitor, welder);
 	if (status.ok()) {
 		status = cleanZeroAreaFaces(arrangement, monitor);
 	}
 	if (status.ok()) {
 		status = takeDuplicateFacesOnce(arrangement, monitor);
+	}
+	if (status.ok()) {
+		status = welder.weldSecondToFirst();
 	}
 	if (status.ok()) {
 		status = findClosed(arrangement, monitor);

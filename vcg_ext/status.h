@@ -17,7 +17,7 @@ enum class StatusCode : std::uint8_t {
 	Cancelled,         // the monitor's callback answered false
 	OutOfMemory,       // an allocation failed; nothing was changed
 	EmptyOperand,      // an operand has no face (left)
-	NotFinite,         // faces with a coordinate that is NaN or infinite
+	NotFinite,         // faces with a coordinate that is NaN or, as output, infinite
 	IndexOutOfRange,   // faces that name a vertex which does not exist
 	TooLarge,          // more than 2^31 - 1 vertices or faces in all
 	NotClosed,         // edges with one face only (or an odd number of faces)

@@ -3,10 +3,13 @@
 //
 // Operands at the edge of what is accepted, in both places, at the stage that judges them.
 #include "shapes.h"
+#include "support/stored_faces.h"
 
 #include <vcg_ext/operands.h>
 
 #include <gtest/gtest.h>
+
+#include <chrono>
 
 namespace index_boolean {
 namespace {
@@ -77,6 +80,33 @@ TEST(Operands, aShellThereTwiceIsOneAndAWallInBothDirectionsIsNone) {
 	EXPECT_TRUE(r.block(Operation::FirstMinusSecond).triangles.empty());
 }
 
+TEST(Operands, aVertexThatNoFaceUsesIsNotWeldedToTheOthersVertexThere) {
+	const Mesh other = box({2, 2, 2}, {3, 3, 3});
+	Mesh loose = kUnit;
+	loose.points.insert(loose.points.end(), other.points.begin(), other.points.end());
+	Mesh flat = loose;  // its faces in the same place cancel, and leave such vertices
+	flat.triangles.push_back({8, 9, 10});
+	flat.triangles.push_back({10, 9, 8});
+	Options options;
+	options.weldNonManifold = true;
+	for (const Mesh& first : {loose, flat}) {
+		const BooleanRun r = run(first, other, options), clean = run(kUnit, other, options);
+		ASSERT_TRUE(r.status.ok()) << describe(r.status);
+		for (std::size_t k = 0; k < r.blocks.size(); ++k) {
+			EXPECT_EQ(brokenPromise(r.blocks[k]), "") << operationName(r.blocks[k].operation);
+			EXPECT_EQ(geometry(r.blocks[k]), geometry(clean.blocks[k]));
+		}
+	}
+}
+
+TEST(Operands, manyUnusedVerticesThatAreNoNumbersCostNothing) {
+	Mesh loose = kUnit;
+	loose.points.resize(std::size_t{1} << 18, Point{std::nan(""), 0, HUGE_VAL});
+	const auto start = std::chrono::steady_clock::now();
+	EXPECT_TRUE(prepared(arrays(loose, loose)).ok());
+	EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(10));
+}
+
 TEST(Operands, aWallThatTwoOverlappingComponentsShareIsRefusedWithItsFaces) {
 	Mesh wall;  // tetrahedra of heights 1 and 2 on one base
 	wall.points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0, 0, 2}};
@@ -93,6 +123,20 @@ TEST(Operands, everyKindOfNumberThatIsNotFiniteIsRefusedInAnyCoordinate) {
 			mesh.points[0][axis] = bad;
 			expectRefused(mesh, StatusCode::NotFinite, 6);
 		}
+	}
+}
+
+TEST(Operands, numbersThatTheOutputScalarCannotHoldAreNotFinite) {
+	const double largest = std::numeric_limits<float>::max();
+	const double halfUlp = 0x1p103;
+	Options options;
+	options.outputScalar = OutputScalar::Float;
+	for (const auto& [size, isHeld] :
+	     {std::pair(largest, true), std::pair(std::nextafter(largest + halfUlp, 0), true),
+	      std::pair(largest + halfUlp, false), std::pair(1e300, false)}) {
+		const BooleanRun r = run(kUnit, box({-size, -size, -size}, {size, size, size}), options);
+		EXPECT_EQ(r.status.code, isHeld ? StatusCode::Ok : StatusCode::NotFinite) << size;
+		EXPECT_EQ(r.status.count, isHeld ? 0u : 12u);
 	}
 }
 

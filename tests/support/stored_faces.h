@@ -52,8 +52,8 @@ inline bool areCollinear(const Point& a, const Point& b, const Point& c) {
 	return true;
 }
 
-// The first broken promise: closed by index, no face without area, no edge between coincident
-// vertices, no vertex without face. Empty if all are kept.
+// The first broken promise: finite coordinates, closed by index, no face without area, no edge
+// between coincident vertices, no vertex without face. Empty if all are kept.
 inline std::string brokenPromise(const Block& block) {
 	std::map<std::array<std::uint32_t, 2>, int> balance;
 	std::vector<bool> used(block.points.size(), false);
@@ -65,6 +65,11 @@ inline std::string brokenPromise(const Block& block) {
 			}
 			used[u] = true;
 			balance[{std::min(u, v), std::max(u, v)}] += u < v ? 1 : -1;
+		}
+	}
+	for (const Point& p : block.points) {
+		if (!std::all_of(p.begin(), p.end(), [](double c) { return std::isfinite(c); })) {
+			return "a coordinate that is not finite";
 		}
 	}
 	for (const auto& t : block.triangles) {
