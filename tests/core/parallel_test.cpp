@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Parallel loops: what runs, what stops them, what comes out, in which floating-point environment.
+#include "fp_environment.h"
+
 #include <vcg_ext/parallel.h>
 
 #include <gtest/gtest.h>
@@ -20,9 +22,6 @@
 
 #ifdef _OPENMP
 #include <omp.h>
-#endif
-#ifdef __SSE__
-#include <xmmintrin.h>
 #endif
 
 using namespace index_boolean;
@@ -43,35 +42,6 @@ std::multiset<Chunk> chunksOf(std::size_t n, std::size_t grain, int threads) {
 	    });
 	EXPECT_TRUE(status.ok());
 	return chunks;
-}
-
-// Sets a floating-point environment as a careless library leaves it: rounding upward, and
-// subnormal numbers flushed to zero where the machine has such a mode.
-void spoilEnvironment() {
-	std::fesetround(FE_UPWARD);
-#ifdef __SSE__
-	_mm_setcsr(_mm_getcsr() | 0x8040U);
-#endif
-}
-
-// Rounds to nearest and keeps subnormal numbers, both as results and as operands.
-bool environmentIsDefault() {
-	volatile double smallest = std::numeric_limits<double>::min();
-	volatile double one = 1;
-	volatile double half = smallest / 2;
-	volatile double again = half * 2;
-	volatile double third = one / 3;
-	return half > 0 && again == smallest && third == 1.0 / 3.0 && one + third * 0x1p-60 == one;
-}
-
-void spoilEnvironmentOfAllThreads(int threads) {
-	spoilEnvironment();
-#ifdef _OPENMP
-#pragma omp parallel num_threads(threads)
-	spoilEnvironment();
-#else
-	static_cast<void>(threads);
-#endif
 }
 
 }  // namespace
