@@ -21,11 +21,17 @@ class Random {
 public:
 	explicit Random(std::uint32_t seed) : engine_(seed) {}
 
+	// The decisions are those of the bytes, one or four each, until there are none left.
+	Random(const std::uint8_t* bytes, std::size_t size)
+	    : engine_(1), bytes_(bytes), end_(bytes + size) {}
+
 	// 0 to n - 1. \pre n > 0
 	std::int64_t below(std::int64_t n) {
-		return static_cast<std::int64_t>(engine_() % static_cast<std::uint32_t>(n));
+		return static_cast<std::int64_t>(next(n <= 256 ? 1 : 4) % static_cast<std::uint32_t>(n));
 	}
-	std::size_t index(std::size_t n) { return engine_() % static_cast<std::uint32_t>(n); }
+	std::size_t index(std::size_t n) {
+		return static_cast<std::size_t>(below(static_cast<std::int64_t>(n)));
+	}
 	bool oneIn(int n) { return below(n) == 0; }
 
 	IntPoint point(std::int64_t span) {
@@ -39,7 +45,20 @@ public:
 	}
 
 private:
+	std::uint32_t next(std::ptrdiff_t width) {
+		if (end_ - bytes_ < width) {
+			return static_cast<std::uint32_t>(engine_());
+		}
+		std::uint32_t value = 0;
+		for (; width > 0; --width) {
+			value = value << 8 | *bytes_++;
+		}
+		return value;
+	}
+
 	std::mt19937 engine_;
+	const std::uint8_t* bytes_ = nullptr;
+	const std::uint8_t* end_ = nullptr;
 };
 
 // --- polygons: points of the plane z = 0, counter-clockwise seen from above -------------------
@@ -429,7 +448,7 @@ inline bool isOnEdge(const GridMesh& m, const IntPoint& p) {
 
 class Generator {
 public:
-	Generator(std::uint32_t seed, std::int64_t span) : random_(seed), span_(span) {}
+	Generator(Random random, std::int64_t span) : random_(random), span_(span) {}
 
 	// A solid of any kind. Never fails: what is no solid is tried again.
 	GridMesh solid() {
@@ -566,7 +585,7 @@ private:
 		GridMesh all = random_.oneIn(2) ? box() : hull(8);
 		for (int tries = 0; tries < 12 && !all.triangles.empty(); ++tries) {
 			const std::int64_t size = 1 + random_.below(std::max<std::int64_t>(span_ / 2, 1));
-			Generator smaller(static_cast<std::uint32_t>(random_.below(1 << 30)), size);
+			Generator smaller(Random(static_cast<std::uint32_t>(random_.below(1 << 30))), size);
 			GridMesh part = smaller.random().oneIn(2) ? smaller.box() : smaller.hull(5);
 			if (part.triangles.empty()) {
 				continue;
@@ -598,10 +617,8 @@ struct SolidPair {
 	GridMesh a, b;
 };
 
-// The pair of one seed.
-inline SolidPair randomPair(std::uint32_t seed) {
-	constexpr std::array<std::int64_t, 6> kSpans{2, 3, 4, 5, 6, kMostCoordinate};
-	Generator generator(seed, kSpans[seed % kSpans.size()]);
+inline SolidPair randomPair(Random random, std::int64_t span) {
+	Generator generator(random, span);
 	SolidPair pair;
 	pair.a = generator.solid();
 	pair.b = generator.random().oneIn(2) ? generator.solid() : generator.solidRelatedTo(pair.a);
@@ -609,6 +626,13 @@ inline SolidPair randomPair(std::uint32_t seed) {
 		std::swap(pair.a, pair.b);
 	}
 	return pair;
+}
+
+constexpr std::array<std::int64_t, 6> kSpans{2, 3, 4, 5, 6, kMostCoordinate};
+
+// The pair of one seed.
+inline SolidPair randomPair(std::uint32_t seed) {
+	return randomPair(Random(seed), kSpans[seed % kSpans.size()]);
 }
 
 }  // namespace index_boolean::grid
