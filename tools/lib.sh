@@ -6,6 +6,10 @@ cd "$(dirname "$0")/.."
 
 jobs=$(nproc)
 
+is_debian_12() {
+	grep -qs '^VERSION_CODENAME=bookworm' /etc/os-release
+}
+
 say() {
 	printf '== %s\n' "$*"
 }
@@ -25,4 +29,12 @@ once() {
 	"$@"
 	mkdir -p "$(dirname "$stamp")"
 	echo "$key" > "$stamp"
+}
+
+# build_plugin HOST: build/release/hosts/HOST/libfilter_indexboolean.so
+build_plugin() {
+	tools/setup --plugin
+	say "Building the plugin for $1"
+	cmake --preset release > /dev/null
+	cmake --build --preset release --parallel "$jobs" --target "plugin-$1"
 }
