@@ -1,0 +1,87 @@
+# SPDX-FileCopyrightText: 2026 The Index Boolean authors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The wheel: one for every Python 3, complete with pymeshlab alone, nothing of the build inside."""
+
+import importlib.metadata
+import os
+import re
+import subprocess
+import sys
+import zipfile
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).resolve().parents[2]
+LARGEST = 1_000_000  # bytes; the README states the size
+
+
+@pytest.fixture(scope="module")
+def wheel(tmp_path_factory):
+    """The wheel that `pip wheel .` makes of this checkout."""
+    folder = tmp_path_factory.mktemp("wheel")
+    pip("wheel", "--no-deps", "--wheel-dir", folder, ROOT)
+    (path,) = folder.iterdir()
+    return path
+
+
+def pip(*arguments, python=sys.executable):
+    subprocess.run(
+        [str(word) for word in (python, "-m", "pip", "-q", "--disable-pip-version-check", *arguments)],
+        check=True, timeout=600,
+    )
+
+
+def plugin_in(wheel, tmp_path):
+    with zipfile.ZipFile(wheel) as archive:
+        return Path(archive.extract("indexboolean/libfilter_indexboolean.so", tmp_path))
+
+
+def test_nameSaysAnyPython3OnThisPlatform(wheel):
+    assert re.fullmatch(r"indexboolean-[\d.]+-py3-none-\w+_x86_64\.whl", wheel.name)
+
+
+def test_holdsThePackageAndNoLibraryOfTheHost(wheel):
+    with zipfile.ZipFile(wheel) as archive:
+        names = archive.namelist()
+    assert [name for name in names if ".so" in name] == ["indexboolean/libfilter_indexboolean.so"]
+    assert not [name for name in names if "__pycache__" in name]
+    assert wheel.stat().st_size < LARGEST
+
+
+def test_pluginLooksForLibrariesNowhereButInTheHost(wheel, tmp_path):
+    dynamic = subprocess.run(
+        ["readelf", "-d", plugin_in(wheel, tmp_path)], capture_output=True, text=True, check=True
+    ).stdout
+    assert "RPATH" not in dynamic and "RUNPATH" not in dynamic
+    needed = set(re.findall(r"NEEDED.*\[(.+)\]", dynamic))
+    assert "libmeshlab-common.so" in needed and "libgomp.so.1" in needed
+    system = {"libstdc++.so.6", "libm.so.6", "libgcc_s.so.1", "libc.so.6", "libgomp.so.1"}
+    assert all(name in system or name.startswith(("libmeshlab", "libQt5")) for name in needed)
+
+
+def test_pluginNamesNoFolderOfTheBuild(wheel, tmp_path):
+    content = plugin_in(wheel, tmp_path).read_bytes()
+    for folder in (ROOT, Path.home(), "/tmp/", "/build/"):
+        assert os.fsencode(str(folder)) not in content, folder
+
+
+def test_freshEnvironmentNeedsPymeshlabAndTheWheelOnly(wheel, tmp_path):
+    version = importlib.metadata.version("pymeshlab")
+    subprocess.run([sys.executable, "-m", "venv", tmp_path / "venv"], check=True)
+    python = tmp_path / "venv/bin/python"
+    pip("install", f"pymeshlab=={version}", wheel, python=python)
+    code = (
+        "import indexboolean, pymeshlab\n"
+        "indexboolean.load_plugin()\n"
+        "meshes = pymeshlab.MeshSet()\n"
+        "meshes.create_cube(size=2)\n"
+        "meshes.create_sphere(radius=1.2)\n"
+        "print(meshes.generate_index_boolean(first_mesh=0, second_mesh=1)['intersection_volume'])\n"
+    )
+    environment = {k: v for k, v in os.environ.items() if not k.startswith("PYTHON")}
+    done = subprocess.run(
+        [python, "-c", code], cwd=tmp_path, env=environment, capture_output=True, text=True
+    )
+    assert done.returncode == 0, done.stderr
+    assert 4 < float(done.stdout.split()[-1]) < 7.24
