@@ -5,6 +5,7 @@
 #include "filter_definitions.h"
 
 #include <algorithm>
+#include <cctype>
 
 namespace index_boolean {
 
@@ -14,22 +15,17 @@ const char* const kPaper =
     "<br>See:<br>"
     "<i>Gang Mei, John C. Tipper</i><br>"
     "<b>\"Simple and Robust Boolean Operations for Triangulated Surfaces\"</b><br>"
-    "arXiv:1308.4434, 2013<br>"
-    "<i>Meijun Zhou, Jiayu Qin, Gang Mei, John C. Tipper</i><br>"
-    "<b>\"Simple and Robust Boolean Operations for Triangulated Surfaces\"</b><br>"
-    "Mathematics 11(12), 2713, 2023";
+    "arXiv:1308.4434, 2013; with <i>Meijun Zhou, Jiayu Qin</i>: Mathematics 11(12), 2713, 2023";
 
 const char* const kBooleanHelp =
-    "Intersects two closed layers <b>once</b> and makes a new layer for each block asked for: "
-    "their union, their intersection, both differences, the symmetric difference.<br>"
-    "All decisions are exact: there is no tolerance, the result is closed whenever the layers "
-    "are, and the coordinates of all points are correctly rounded. Vertices away from the "
-    "intersection keep their coordinates bit by bit.<br>"
-    "The layers may have any number of components and cavities. They must be closed, consistently "
-    "oriented and free of self-intersections; an inside-out layer is turned, faces that are there "
-    "twice are taken once, and the log says so. "
-    "A layer that cannot be used is refused with its defect, and the faces in question are left "
-    "selected.<br>"
+    "Intersects two closed layers <b>once</b> and adds a new layer for each block asked for: "
+    "union, intersection, both differences, symmetric difference.<br>"
+    "<b>Exact:</b> there is no tolerance; new points are rounded once, faces that are not cut keep "
+    "every bit of their coordinates, and the new layers are closed.<br>"
+    "<b>The layers</b> must be closed, consistently oriented and free of self-intersections, with "
+    "any number of components and cavities. One that is inside out is turned, faces that are there "
+    "twice are taken once, and the log says so. One that cannot be used is refused with its defect "
+    "and what to do, and the faces in question are left selected.<br>"
     "The layers' matrices are applied. An empty block is an empty layer.<br>";
 
 FilterDefinition booleanDefinition() {
@@ -55,10 +51,10 @@ FilterDefinition booleanDefinition() {
 	        {"symmetric_difference", Kind::Bool, 0, 0, 1, false, "Symmetric difference",
 	         "A new layer with the boundary of all that is inside exactly one of A and B."},
 	        {"merge_fragments", Kind::Bool, 1, 0, 1, false, "Merge fragments",
-	         "Cuts that separate nothing in a block leave no trace in it: fragments of one face "
-	         "become one again, and new points on its edges that serve nothing are dropped. Off: "
-	         "the blocks keep all cuts, so that neighbouring blocks have the same faces where "
-	         "they touch."},
+	         "Cuts that separate nothing in a block are undone: fragments of one face become one "
+	         "again, and new points on its edges that serve nothing are dropped. Off: all cuts "
+	         "stay, "
+	         "so that blocks that touch have the same faces there."},
 	        {"merge_coplanar", Kind::Bool, 0, 0, 1, false, "Merge coplanar faces",
 	         "Neighbouring faces of a block that are exactly coplanar are merged too, and vertices "
 	         "inside straight edges are dropped: the fewest faces, at the cost of vertices and "
@@ -83,6 +79,15 @@ FilterDefinition booleanDefinition() {
 	};
 }
 
+// The end of a file's name, as in "ply" and "3ds", rather than of a number, as in "25" or "5 cube".
+bool isFileSuffix(const std::string& text) {
+	constexpr std::size_t kLongest = 4;
+	const auto isLetter = [](unsigned char c) { return std::isalpha(c) != 0; };
+	const auto isOther = [](unsigned char c) { return std::isalnum(c) == 0; };
+	return text.size() <= kLongest && std::any_of(text.begin(), text.end(), isLetter) &&
+	       std::none_of(text.begin(), text.end(), isOther);
+}
+
 }  // namespace
 
 const char* const kPluginName = "FilterIndexBoolean";
@@ -103,11 +108,19 @@ const ParameterDefinition& parameterDefinition(FilterId id, const std::string& n
 	                     [&](const ParameterDefinition& p) { return name == p.name; });
 }
 
+std::string nameInLabel(std::string label) {
+	const std::size_t dot = label.rfind('.');
+	if (dot != std::string::npos && isFileSuffix(label.substr(dot + 1)))
+		label.erase(dot);
+	std::replace(label.begin(), label.end(), '.', '_');
+	return label;
+}
+
 std::string blockLabel(Operation operation, const std::string& first, const std::string& second) {
 	const BlockDefinition& block = kBlockDefinitions[static_cast<std::size_t>(operation)];
 	const std::string& left = block.swapped ? second : first;
 	const std::string& right = block.swapped ? first : second;
-	return left + " " + block.infix + " " + right;
+	return nameInLabel(left) + " " + block.infix + " " + nameInLabel(right);
 }
 
 }  // namespace index_boolean

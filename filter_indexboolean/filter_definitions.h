@@ -59,6 +59,11 @@ constexpr std::array<BlockDefinition, kOperationCount> kBlockDefinitions{{
     {Operation::SymmetricDifference, false, "xor"},
 }};
 
+// A layer's label as a part of a new one: without the suffix of its file, and without dots. MeshLab
+// takes what follows a dot for a suffix: "a.ply union b.ply" it would save as a.ply, over the
+// operand, and a second layer of that label it would call "a(1).ply".
+std::string nameInLabel(std::string label);
+
 // The label of a block's layer: "A union B", "B minus A".
 std::string blockLabel(Operation operation, const std::string& first, const std::string& second);
 

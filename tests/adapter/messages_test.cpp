@@ -109,7 +109,7 @@ TEST(Messages, theLogTellsFacesComponentsVolumeAndArea) {
 	measure.components = 1;
 	EXPECT_EQ(
 	    blockMessage(block, measure, kLayers),
-	    "\"bunny.ply minus 50% cube\": 12 faces, 1 component, volume 1.23457e+06, area 0.125.");
+	    "\"bunny minus 50% cube\": 12 faces, 1 component, volume 1.23457e+06, area 0.125.");
 }
 
 TEST(FilterDefinitions, blocksAreParametersInTheOrderOfTheLayers) {
@@ -146,6 +146,13 @@ TEST(FilterDefinitions, switchesHaveTheDefaultsOfTheCore) {
 	EXPECT_EQ(defaultOf("merge_coplanar"), options.mergeCoplanar);
 	EXPECT_EQ(defaultOf("weld_non_manifold"), options.weldNonManifold);
 	EXPECT_EQ(defaultOf("check_self_intersections"), options.checkSelfIntersections);
+}
+
+TEST(FilterDefinitions, labelsHaveNoDotsThatTheHostWouldTakeForAFilesSuffix) {
+	EXPECT_EQ(blockLabel(Operation::Union, "a.ply", "b.3ds"), "a union b");
+	EXPECT_EQ(blockLabel(Operation::Union, "scan.v2.stl", ".hidden"), "scan_v2 union _hidden");
+	EXPECT_EQ(blockLabel(Operation::Union, "cube 1.25", "2.5 cubes"), "cube 1_25 union 2_5 cubes");
+	EXPECT_EQ(blockLabel(Operation::Union, "", "end."), " union end_");
 }
 
 TEST(FilterDefinitions, labelsAreMadeOfBothInputsLabels) {

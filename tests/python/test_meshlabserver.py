@@ -6,7 +6,6 @@ All coordinates of the operands are floats, so that every host is given the same
 """
 
 import re
-import subprocess
 import xml.etree.ElementTree as ElementTree
 
 import numpy as np
@@ -17,13 +16,13 @@ import mesh_laws
 import meshlabserver
 import sample_catalogue
 from conftest import box, document, sphere
+from core_blocks import core_in_float, expect_equal
 from placements import read_mesh
 from run_boolean import BLOCKS, run_boolean
 
 if not meshlabserver.is_debian_12():
     pytest.skip("only Debian 12 has meshlabserver 2020.09", allow_module_level=True)
 
-CORE = meshlabserver.ROOT / "build/release/tests/core_blocks"
 EXAMPLE = meshlabserver.EXAMPLES / "generate_index_boolean.mlx"
 
 
@@ -43,24 +42,6 @@ def saved(mesh, path):
     return path
 
 
-def core_in_float(operands, folder):
-    """The blocks of the core's float run, and how many zero-area faces it cleaned away in all."""
-    for k, (vertices, faces) in enumerate(operands):
-        assert np.array_equal(vertices, vertices.astype(np.float32))
-        vertices.astype(np.float64).tofile(folder / f"points_{k}.f64")
-        faces.astype(np.uint32).tofile(folder / f"triangles_{k}.u32")
-    done = subprocess.run([CORE, "float", folder], capture_output=True, text=True, check=True)
-    cleaned = sum(int(line.split()[1]) for line in done.stdout.splitlines())
-    blocks = {
-        block: (
-            np.fromfile(folder / f"{block}_points.f64").reshape(-1, 3),
-            np.fromfile(folder / f"{block}_triangles.u32", np.uint32).reshape(-1, 3),
-        )
-        for block in BLOCKS
-    }
-    return blocks, cleaned
-
-
 def server_blocks(program, files, folder):
     """The four blocks that the example script makes of two files."""
     paths = {block: folder / f"{block}.ply" for block in BLOCKS}
@@ -71,12 +52,6 @@ def server_blocks(program, files, folder):
         block: nothing if b"element vertex 0\n" in path.read_bytes() else read_mesh(path)
         for block, path in paths.items()
     }
-
-
-def expect_equal(blocks, others):
-    for block in BLOCKS:
-        for array, other in zip(blocks[block], others[block]):
-            assert np.array_equal(array, other), block
 
 
 @pytest.mark.parametrize("pair", sample_catalogue.PAIRS)

@@ -71,14 +71,7 @@ def test_freshEnvironmentNeedsPymeshlabAndTheWheelOnly(wheel, tmp_path):
     subprocess.run([sys.executable, "-m", "venv", tmp_path / "venv"], check=True)
     python = tmp_path / "venv/bin/python"
     pip("install", f"pymeshlab=={version}", wheel, python=python)
-    code = (
-        "import indexboolean, pymeshlab\n"
-        "indexboolean.load_plugin()\n"
-        "meshes = pymeshlab.MeshSet()\n"
-        "meshes.create_cube(size=2)\n"
-        "meshes.create_sphere(radius=1.2)\n"
-        "print(meshes.generate_index_boolean(first_mesh=0, second_mesh=1)['intersection_volume'])\n"
-    )
+    code = (ROOT / "docs/hosts.md").read_text().split("```python\n")[1].split("```")[0]
     environment = {k: v for k, v in os.environ.items() if not k.startswith("PYTHON")}
     done = subprocess.run(
         [python, "-c", code], cwd=tmp_path, env=environment, capture_output=True, text=True
