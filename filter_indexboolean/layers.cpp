@@ -66,8 +66,13 @@ Status fillLayers(const std::vector<Block>& blocks, Monitor& monitor,
 			allocateSurface(blocks[i].points.size(), blocks[i].triangles.size(), layers[i]->cm);
 	};
 	Status status = parallelFor(blocks.size(), grain, 0, monitor, allocate);
-	for (std::size_t i = 0; i < blocks.size() && status.ok(); ++i)
+	for (std::size_t i = 0; i < blocks.size() && status.ok(); ++i) {
 		status = fillSurface(blocks[i].points, blocks[i].triangles, monitor, layers[i]->cm);
+		if (status.ok() && !blocks[i].faux.empty()) {
+			status = fillFauxEdges(blocks[i].faux, monitor, layers[i]->cm);
+			layers[i]->updateDataMask(MeshModel::MM_POLYGONAL);
+		}
+	}
 	return status;
 }
 

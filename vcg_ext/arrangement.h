@@ -172,9 +172,19 @@ struct DuplicateFaces {
 	std::array<std::size_t, 2> takenOnce{};  // per operand: faces equal to another that is kept
 };
 
+// Which faces of the operands are one polygon. All arrays are empty if no face has a faux edge.
+struct Polygons {
+	std::vector<FaceId> polygon;  // per face: the first face of its polygon
+	std::vector<FaceId> flat;  // per face: the first of those faces of its polygon that lie in one
+	                           // plane and are joined to it within that plane
+	std::vector<std::array<VertexId, 2>>
+	    flatEdges;  // edges inside such a set: lower, higher; sorted
+};
+
 struct Arrangement {
 	Options options;
-	MeshArrays mesh;                       // welded, without degenerate faces, right side out
+	MeshArrays mesh;  // welded, without degenerate faces, right side out
+	Polygons polygons;
 	std::vector<std::uint32_t> faceGiven;  // per face: its index in the operand as given; see below
 	std::vector<VertexId> nonManifold;     // at which an operand is no manifold; ascending
 	std::array<bool, 2> closed{};          // each edge of the operand has as many faces each way

@@ -40,6 +40,7 @@ struct Block {
 	std::vector<VertexId> vertexSource;
 	std::vector<std::array<std::uint32_t, 3>> triangles;
 	std::vector<FaceSource> faceSource;
+	std::vector<std::uint8_t> faux;  // as in MeshArrays; empty if no face has a faux edge
 	std::size_t zeroAreaFacesRemoved = 0;
 	std::size_t verticesCopied = 0;     // to pull apart where the block meets itself
 	std::vector<StageTime> stageTimes;  // of the stages that made this block

@@ -233,11 +233,14 @@ void drop(const std::vector<std::uint32_t>& faces, Arrangement& arrangement) {
 			continue;
 		}
 		mesh.triangles[given.size()] = mesh.triangles[face];
+		if (!mesh.faux.empty())
+			mesh.faux[given.size()] = mesh.faux[face];
 		given.push_back(arrangement.givenFace({face}));
 		faceBegin[2] = static_cast<std::uint32_t>(given.size());
 		faceBegin[1] = mesh.operandOf({face}) == 0 ? faceBegin[2] : faceBegin[1];
 	}
 	mesh.triangles.resize(given.size());
+	mesh.faux.resize(mesh.faux.empty() ? 0 : given.size());
 	mesh.faceBegin = faceBegin;
 	arrangement.faceGiven = std::move(given);
 }

@@ -14,6 +14,7 @@
 #include "operands.h"
 #include "overlap_owners.h"
 #include "parallel.h"
+#include "polygons.h"
 #include "retriangulate.h"
 #include "self_intersections.h"
 #include "triangle_contact.h"
@@ -194,7 +195,8 @@ Status extractBlock(const Arrangement& arrangement, Operation operation, Monitor
 		});
 		stages.run("merge_fragments", 0.1,
 		           [&] { return mergeFragments(arrangement, monitor, out); });
-		stages.run("clean", 0.2, [&] { return finishBlock(options, monitor, out); });
+		stages.run("clean", 0.15, [&] { return finishBlock(options, monitor, out); });
+		stages.run("polygons", 0.05, [&] { return findFauxEdges(arrangement, monitor, out); });
 		return stages.status();
 	});
 }

@@ -10,6 +10,7 @@
 #include "coordinate_hash.h"
 #include "exact_sign.h"
 #include "parallel.h"
+#include "polygons.h"
 #include "union_find.h"
 #include "weld.h"
 
@@ -56,10 +57,10 @@ private:
 	void groupByParent();
 	void groupByPlane();
 	bool coplanar(std::uint32_t f, std::uint32_t g) const;
+	bool liesInPolygon(VertexId v) const;
 	void sortCandidates();
 	std::vector<Point> linkPoints(std::uint32_t v) const;
 	bool findStar(std::uint32_t v, std::vector<LinkEdge>& star) const;
-	bool isCorner(std::uint32_t v, std::uint32_t face) const;
 	void tryRemove(std::uint32_t v);
 	bool fill(const Hole& hole, std::uint32_t v, std::vector<LocalFace>& out) const;
 	bool isFree(std::uint32_t a, std::uint32_t b) const;
@@ -80,6 +81,8 @@ private:
 	const MeshArrays& mesh_;
 	Monitor& monitor_;
 	Block& block_;
+	std::vector<std::uint8_t> isCandidate_;  // per vertex of the block
+	std::vector<std::uint8_t> isFixed_;      // per vertex of the block: an input face's corner
 	std::vector<std::uint32_t> candidates_;
 	std::vector<LocalFace> faces_;
 	std::vector<std::vector<std::uint32_t>> facesAt_;  // per vertex of the block; dead ones too
@@ -87,37 +90,58 @@ private:
 	std::size_t originalCount_ = 0;                    // of the faces, those of the block
 };
 
+// Whether a point of the curve lies inside a polygon, on an edge of its triangulation: the curve
+// may pass straight through it.
+bool Merger::liesInPolygon(VertexId v) const {
+	const auto& edges = arrangement_.polygons.flatEdges;
+	if (edges.empty() || !arrangement_.isCurvePoint(v)) {
+		return false;
+	}
+	const PointName& name = at(arrangement_.curve.names, arrangement_.pointOf(v));
+	return name.kind == PointKind::EdgeFace &&
+	       std::binary_search(edges.begin(), edges.end(),
+	                          std::array{VertexId{name.ids[0]}, VertexId{name.ids[1]}});
+}
+
 void Merger::listCandidates() {
-	for (std::uint32_t v = 0; v < block_.points.size(); ++v) {
-		if (wholeBlock() || block_.suspect[v] != 0) {
+	isCandidate_.resize(block_.points.size());
+	for (std::uint32_t v = 0; v < isCandidate_.size(); ++v) {
+		if (wholeBlock() || block_.suspect[v] != 0 || liesInPolygon(block_.vertexSource[v])) {
+			isCandidate_[v] = 1;
 			candidates_.push_back(v);
 		}
 	}
 }
 
 void Merger::collectFaces() {
-	const auto isCandidate = [this](std::uint32_t v) {
-		return wholeBlock() || block_.suspect[v] != 0;
-	};
 	const bool all = wholeBlock() || block_.anySuspectOffCurve;
 	facesAt_.resize(block_.points.size());
+	isFixed_.resize(block_.points.size());
 	for (std::size_t f = all ? 0 : block_.firstPiece; f < block_.triangles.size(); ++f) {
 		const Corners& t = block_.triangles[f];
-		if (std::none_of(t.begin(), t.end(), isCandidate)) {
+		if (std::none_of(t.begin(), t.end(),
+		                 [this](std::uint32_t v) { return isCandidate_[v] != 0; })) {
 			continue;
 		}
 		const auto face = static_cast<std::uint32_t>(faces_.size());
 		faces_.push_back({t, 0, static_cast<std::uint32_t>(f), true});
+		const Triangle& parent = at(mesh_.triangles, block_.faceSource[f].face);
 		for (const std::uint32_t v : t) {
 			facesAt_[v].push_back(face);
+			if (std::find(parent.begin(), parent.end(), block_.vertexSource[v]) != parent.end()) {
+				isFixed_[v] = wholeBlock() ? 0 : 1;
+			}
 		}
 	}
 }
 
+// Faces of a polygon that lie in one plane count as one input face.
 void Merger::groupByParent() {
+	const std::vector<FaceId>& flat = arrangement_.polygons.flat;
 	for (LocalFace& face : faces_) {
 		const FaceSource& source = block_.faceSource[face.origin];
-		face.group = 2 * source.face.value + (source.turned ? 1 : 0);
+		const FaceId parent = flat.empty() ? source.face : at(flat, source.face);
+		face.group = 2 * parent.value + (source.turned ? 1 : 0);
 	}
 }
 
@@ -128,19 +152,8 @@ bool Merger::coplanar(std::uint32_t f, std::uint32_t g) const {
 	if (a.face == b.face) {
 		return a.turned == b.turned;
 	}
-	const Triangle& s = at(mesh_.triangles, a.face);
-	const Triangle& t = at(mesh_.triangles, b.face);
-	for (const VertexId v : t) {
-		if (orient3d(at(mesh_.points, s[0]), at(mesh_.points, s[1]), at(mesh_.points, s[2]),
-		             at(mesh_.points, v)) != 0) {
-			return false;
-		}
-	}
-	int front = 0;
-	const int axis = projectionAxis(s, mesh_.points, front);
-	const int other =
-	    orient2d(at(mesh_.points, t[0]), at(mesh_.points, t[1]), at(mesh_.points, t[2]), axis);
-	return (front == other) == (a.turned == b.turned);
+	const int front = commonFront(mesh_, a.face, b.face);
+	return front != 0 && (front > 0) == (a.turned == b.turned);
 }
 
 void Merger::groupByPlane() {
@@ -246,12 +259,6 @@ bool Merger::findStar(std::uint32_t v, std::vector<LinkEdge>& star) const {
 	return star.size() == edges.size() && from == first->from;
 }
 
-// Whether a vertex is a corner of the input face that a face is a piece of.
-bool Merger::isCorner(std::uint32_t v, std::uint32_t face) const {
-	const Triangle& parent = at(mesh_.triangles, sourceOf(face).face);
-	return std::find(parent.begin(), parent.end(), block_.vertexSource[v]) != parent.end();
-}
-
 // Whether no face has an edge between two vertices, in either direction.
 bool Merger::isFree(std::uint32_t a, std::uint32_t b) const {
 	const std::uint32_t fewer = facesAt_[a].size() < facesAt_[b].size() ? a : b;
@@ -351,10 +358,7 @@ void Merger::tryRemove(std::uint32_t v) {
 			changes.push_back(i);
 		}
 	}
-	const bool isFixed =
-	    !wholeBlock() && std::any_of(star.begin(), star.end(),
-	                                 [&](const LinkEdge& e) { return isCorner(v, e.face); });
-	if (isFixed || (!changes.empty() && changes.size() != 2)) {
+	if (isFixed_[v] != 0 || (!changes.empty() && changes.size() != 2)) {
 		return;
 	}
 	std::vector<Hole> holes;

@@ -13,7 +13,8 @@ namespace index_boolean {
 
 // Takes vertices away and fills the holes with fewer triangles.
 // With options.mergeFragments: points of the curve inside one input face, and inside an input edge
-// where nothing else meets it. Corners of the faces stay.
+// where nothing else meets it; the faces of a polygon that lie in one plane count as one. Corners
+// of the faces stay.
 // With options.mergeCoplanar: any vertex inside a set of neighbouring faces in one plane, or inside
 // a straight line between two such sets.
 // \param block before its coordinates are cleaned; changed in place

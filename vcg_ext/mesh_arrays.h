@@ -23,6 +23,9 @@ struct MeshArrays {
 	std::vector<Triangle> triangles;
 	std::array<std::uint32_t, 3> vertexBegin{};
 	std::array<std::uint32_t, 3> faceBegin{};
+	// Per face, bit i: the edge from its corner i on lies inside a polygon, which is one face to
+	// the user (vcglib's faux edges). Empty if there is none.
+	std::vector<std::uint8_t> faux;
 	// Once looked for, and only if there are any: a vertex is quiet if every face at it has a twin,
 	// a face if its corners are. Nothing is known of the twins of other faces.
 	std::vector<Twin> quietFaces;
@@ -36,5 +39,10 @@ struct MeshArrays {
 	}
 	int operandOf(FaceId face) const { return face.value < faceBegin[1] ? 0 : 1; }
 };
+
+// The faux edges of a face once it is turned over by swapping its corners 1 and 2.
+constexpr std::uint8_t turnedFaux(std::uint8_t mask) {
+	return static_cast<std::uint8_t>((mask & 2U) | (mask & 1U) << 2U | mask >> 2U);
+}
 
 }  // namespace index_boolean

@@ -23,6 +23,7 @@
 #endif
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <cstddef>
 #include <functional>
@@ -110,10 +111,40 @@ inline void growArrays(std::size_t vertexCount, std::size_t faceCount, int opera
 	out.faceBegin[first] = static_cast<std::uint32_t>(out.triangles.size());
 	out.points.resize(out.points.size() + vertexCount);
 	out.triangles.resize(out.triangles.size() + faceCount);
+	if (!out.faux.empty())
+		out.faux.resize(out.triangles.size(), 0);
 	for (std::size_t end = first + 1; end < out.vertexBegin.size(); ++end) {
 		out.vertexBegin[end] = static_cast<std::uint32_t>(out.points.size());
 		out.faceBegin[end] = static_cast<std::uint32_t>(out.triangles.size());
 	}
+}
+
+// Reads the faux edges of the operand whose faces are the last in the arrays. Most meshes have
+// none.
+template <class TriMesh>
+Status appendFauxEdges(const TriMesh& mesh, const LiveElements& faces, Monitor& monitor,
+                       MeshArrays& out) {
+	const std::size_t first = out.triangles.size() - faces.count;
+	std::atomic<bool> any{false};
+	Status status = parallelFor(faces.count, kElementGrain, 0, monitor,
+	                            [&](std::size_t begin, std::size_t end) {
+		                            int flags = 0;
+		                            for (std::size_t i = begin; i < end; ++i)
+			                            flags |= mesh.face[faces[i]].IsAnyF() ? 1 : 0;
+		                            if (flags != 0)
+			                            any = true;
+	                            });
+	if (!status.ok() || !any)
+		return status;
+	out.faux.resize(out.triangles.size(), 0);
+	return parallelFor(
+	    faces.count, kElementGrain, 0, monitor, [&](std::size_t begin, std::size_t end) {
+		    for (std::size_t i = begin; i < end; ++i) {
+			    const auto& face = mesh.face[faces[i]];
+			    out.faux[first + i] = static_cast<std::uint8_t>(
+			        (face.IsF(0) ? 1U : 0U) | (face.IsF(1) ? 2U : 0U) | (face.IsF(2) ? 4U : 0U));
+		    }
+	    });
 }
 
 // Reads a mesh as the next operand: operand 0 into empty arrays, then operand 1.
@@ -154,7 +185,8 @@ Status appendOperand(const TriMesh& mesh,
 			triangles[i] = {ids.of(face.cV(0)), ids.of(face.cV(1)), ids.of(face.cV(2))};
 		}
 	};
-	return parallelFor(faces.count, kElementGrain, 0, monitor, readTriangles);
+	status = parallelFor(faces.count, kElementGrain, 0, monitor, readTriangles);
+	return status.ok() ? appendFauxEdges(mesh, faces, monitor, out) : status;
 }
 
 using IndexedTriangle = std::array<std::uint32_t, 3>;
@@ -280,6 +312,22 @@ Status fillSurface(const std::vector<Point>& points, const std::vector<IndexedTr
 	for (const Point& p : points)
 		out.bbox.Add(toCoordinate<TriMesh>(p));
 	return parallelFor(triangles.size(), kElementGrain, 0, monitor, writeFaces);
+}
+
+// Marks the faux edges of a surface written before.
+// \param faux per face, as in MeshArrays; empty: there is none
+// \return Ok or Cancelled
+template <class TriMesh>
+Status fillFauxEdges(const std::vector<std::uint8_t>& faux, Monitor& monitor, TriMesh& out) {
+	const auto write = [&](std::size_t begin, std::size_t end) {
+		for (std::size_t i = begin; i < end; ++i) {
+			for (int edge = 0; edge < 3; ++edge) {
+				if ((faux[i] >> edge & 1) != 0)
+					out.face[i].SetF(edge);
+			}
+		}
+	};
+	return parallelFor(faux.size(), kElementGrain, 0, monitor, write);
 }
 
 }  // namespace index_boolean

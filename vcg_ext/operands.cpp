@@ -12,6 +12,7 @@
 #include "mesh_checks.h"
 #include "non_manifold.h"
 #include "parallel.h"
+#include "polygons.h"
 
 #include <algorithm>
 #include <atomic>
@@ -276,7 +277,11 @@ Status dropCollapsedFaces(Arrangement& arrangement) {
 		const std::size_t keptBegin = kept;
 		for (std::uint32_t face = begin; face < end; ++face) {
 			if (!hasEqualCorners(mesh.triangles[face])) {
-				mesh.triangles[kept++] = mesh.triangles[face];
+				mesh.triangles[kept] = mesh.triangles[face];
+				if (!mesh.faux.empty()) {
+					mesh.faux[kept] = mesh.faux[face];
+				}
+				++kept;
 				given.push_back(face - begin);
 			}
 		}
@@ -286,8 +291,51 @@ Status dropCollapsedFaces(Arrangement& arrangement) {
 		}
 	}
 	mesh.triangles.resize(kept);
+	mesh.faux.resize(mesh.faux.empty() ? 0 : kept);
 	arrangement.faceGiven = std::move(given);
 	return checkSizes(mesh);
+}
+
+// Whether the edge from a to b lies on the line of an edge of a triangle.
+bool liesOnEdge(const MeshArrays& mesh, std::uint32_t a, std::uint32_t b, VertexId from,
+                VertexId to) {
+	const Point &p = at(mesh.points, from), &q = at(mesh.points, to);
+	return hasZeroArea(p, q, mesh.points[a]) && hasZeroArea(p, q, mesh.points[b]);
+}
+
+// The faux edges of a face, or of a piece of a face of the arrays: those that lie on such an edge
+// of that face, and those inside it.
+std::uint8_t pieceFaux(const MeshArrays& mesh, std::uint32_t whole, const IndexTriangle& piece) {
+	const Triangle& t = mesh.triangles[whole];
+	unsigned mask = 0;
+	for (unsigned i = 0; i < 3; ++i) {
+		bool isFaux = true;
+		for (unsigned side = 0; side < 3; ++side) {
+			if (liesOnEdge(mesh, piece[i], piece[(i + 1) % 3], t[side], t[(side + 1) % 3])) {
+				isFaux = (mesh.faux[whole] >> side & 1U) != 0;
+			}
+		}
+		mask |= isFaux ? 1U << i : 0U;
+	}
+	return static_cast<std::uint8_t>(mask);
+}
+
+// Takes the faux edges of one operand over to the faces that replace its faces, if there are any.
+// \param before for each new face, the face of the arrays that it is or is a piece of
+void replaceFaux(MeshArrays& mesh, std::size_t operand, const std::vector<IndexTriangle>& faces,
+                 const std::vector<std::uint32_t>& before) {
+	if (mesh.faux.empty()) {
+		return;
+	}
+	const auto begin = mesh.faux.begin();
+	std::vector<std::uint8_t> faux(begin, begin + mesh.faceBegin[operand]);
+	for (std::size_t f = 0; f < faces.size(); ++f) {
+		const Triangle& t = mesh.triangles[before[f]];
+		const bool isWhole = faces[f] == IndexTriangle{t[0].value, t[1].value, t[2].value};
+		faux.push_back(isWhole ? mesh.faux[before[f]] : pieceFaux(mesh, before[f], faces[f]));
+	}
+	faux.insert(faux.end(), begin + mesh.faceBegin[operand + 1], mesh.faux.end());
+	mesh.faux = std::move(faux);
 }
 
 // Splits the zero-area faces of one operand away across their longest edges: a face of three
@@ -299,10 +347,12 @@ Status cleanOperand(Arrangement& arrangement, std::size_t operand, Monitor& moni
 	const std::uint32_t end = mesh.faceBegin[operand + 1];
 	std::vector<IndexTriangle> triangles;
 	std::vector<std::uint32_t> given;
+	std::vector<std::uint32_t> before;  // the face that each is or is a piece of
 	for (std::uint32_t face = begin; face < end; ++face) {
 		const Triangle& t = mesh.triangles[face];
 		triangles.push_back({t[0].value, t[1].value, t[2].value});
 		given.push_back(arrangement.givenFace({face}));
+		before.push_back(face);
 	}
 	std::vector<std::uint32_t> zeroAreaFaces;
 	CleanResult cleaned;
@@ -315,6 +365,8 @@ Status cleanOperand(Arrangement& arrangement, std::size_t operand, Monitor& moni
 		return status;
 	}
 	cleaned.faces.apply(given);
+	cleaned.faces.apply(before);
+	replaceFaux(mesh, operand, triangles, before);
 
 	std::vector<Triangle> all(mesh.triangles.begin(), mesh.triangles.begin() + begin);
 	std::vector<std::uint32_t> allGiven;
@@ -453,6 +505,13 @@ Status findVolumes(Arrangement& arrangement, bool mustHaveVolume, Monitor& monit
 	return {};
 }
 
+void turnFaux(MeshArrays& mesh, std::size_t operand) {
+	for (std::size_t f = mesh.faceBegin[operand];
+	     !mesh.faux.empty() && f < mesh.faceBegin[operand + 1]; ++f) {
+		mesh.faux[f] = turnedFaux(mesh.faux[f]);
+	}
+}
+
 Status turnRightSideOut(Arrangement& arrangement, Monitor& monitor) {
 	MeshArrays& mesh = arrangement.mesh;
 	const Status status = findVolumes(arrangement, true, monitor);
@@ -461,6 +520,7 @@ Status turnRightSideOut(Arrangement& arrangement, Monitor& monitor) {
 			std::for_each(mesh.triangles.begin() + mesh.faceBegin[operand],
 			              mesh.triangles.begin() + mesh.faceBegin[operand + 1],
 			              [](Triangle& t) { std::swap(t[1], t[2]); });
+			turnFaux(mesh, operand);
 		}
 	}
 	return status;
@@ -518,6 +578,9 @@ Status prepareOperands(Arrangement& arrangement, Monitor& monitor) {
 	}
 	if (status.ok()) {
 		status = turnRightSideOut(arrangement, monitor);
+	}
+	if (status.ok()) {
+		status = joinPolygons(arrangement, monitor);
 	}
 	return status;
 }

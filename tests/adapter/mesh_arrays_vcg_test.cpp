@@ -223,6 +223,33 @@ TYPED_TEST(MeshArraysVcg, vertexNormalsDoNotDependOnTheThreads) {
 	}
 }
 
+TYPED_TEST(MeshArraysVcg, fauxEdgesAreReadAndWritten) {
+	TypeParam plain, quads;
+	write(tetrahedron(1), plain);
+	write(torus(200), quads);
+	std::vector<std::uint8_t> faux;
+	for (std::size_t i = 0; i < quads.face.size(); ++i)
+		faux.push_back(static_cast<std::uint8_t>(i % 8));
+	Monitor monitor;
+	ASSERT_TRUE(fillFauxEdges(faux, monitor, quads).ok());
+	EXPECT_TRUE(quads.face[5].IsF(0) && !quads.face[5].IsF(1) && quads.face[5].IsF(2));
+	vcg::tri::Allocator<TypeParam>::DeleteFace(quads, quads.face[1]);
+
+	MeshArrays none, first, second;
+	read(plain, TestFixture::Matrix::Identity(), 0, none);
+	EXPECT_TRUE(none.faux.empty());
+	read(quads, TestFixture::Matrix::Identity(), 0, first);
+	read(plain, TestFixture::Matrix::Identity(), 1, first);
+	read(plain, TestFixture::Matrix::Identity(), 0, second);
+	read(quads, TestFixture::Matrix::Identity(), 1, second);
+	faux.erase(faux.begin() + 1);
+	std::vector<std::uint8_t> before(4, 0), behind = faux;
+	behind.insert(behind.end(), 4, 0);
+	before.insert(before.end(), faux.begin(), faux.end());
+	EXPECT_EQ(first.faux, behind);
+	EXPECT_EQ(second.faux, before);
+}
+
 TYPED_TEST(MeshArraysVcg, aCancelledMonitorStopsReadingAndWriting) {
 	const Surface surface = tetrahedron(1);
 	TypeParam mesh;

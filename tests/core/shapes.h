@@ -18,6 +18,7 @@ namespace index_boolean::shapes {
 struct Mesh {
 	std::vector<Point> points;
 	std::vector<std::array<std::uint32_t, 3>> triangles;
+	std::vector<std::uint8_t> faux = {};  // as in MeshArrays
 };
 
 inline constexpr double kPi = 3.14159265358979323846;
@@ -118,6 +119,11 @@ inline Mesh joined(const Mesh& a, const Mesh& b) {
 	for (const auto& t : b.triangles) {
 		m.triangles.push_back({t[0] + offset, t[1] + offset, t[2] + offset});
 	}
+	if (!a.faux.empty() || !b.faux.empty()) {
+		m.faux.resize(a.triangles.size());
+		m.faux.insert(m.faux.end(), b.faux.begin(), b.faux.end());
+		m.faux.resize(m.triangles.size());
+	}
 	return m;
 }
 
@@ -125,12 +131,16 @@ inline Mesh turned(Mesh m) {
 	for (auto& t : m.triangles) {
 		std::swap(t[1], t[2]);
 	}
+	for (std::uint8_t& mask : m.faux) {
+		mask = static_cast<std::uint8_t>((mask & 2) | (mask & 1) << 2 | mask >> 2);
+	}
 	return m;
 }
 
 // Every corner its own vertex, as in an STL file.
 inline Mesh soup(const Mesh& m) {
 	Mesh s;
+	s.faux = m.faux;
 	for (const auto& t : m.triangles) {
 		const auto first = static_cast<std::uint32_t>(s.points.size());
 		for (const std::uint32_t v : t) {
@@ -153,11 +163,20 @@ inline Mesh permuted(const Mesh& m, std::mt19937& random) {
 	for (std::uint32_t i = 0; i < order.size(); ++i) {
 		p.points[order[i]] = m.points[i];
 	}
-	for (const auto& t : m.triangles) {
+	std::vector<std::uint32_t> faces(m.triangles.size());
+	for (std::uint32_t i = 0; i < faces.size(); ++i) {
+		faces[i] = i;
+	}
+	std::shuffle(faces.begin(), faces.end(), random);
+	for (const std::uint32_t face : faces) {
+		const auto& t = m.triangles[face];
 		const std::size_t k = random() % 3;
 		p.triangles.push_back({order[t[k]], order[t[(k + 1) % 3]], order[t[(k + 2) % 3]]});
+		if (!m.faux.empty()) {
+			const unsigned twice = m.faux[face] * 9U;  // the mask twice, end to end
+			p.faux.push_back(static_cast<std::uint8_t>(twice >> k & 7U));
+		}
 	}
-	std::shuffle(p.triangles.begin(), p.triangles.end(), random);
 	return p;
 }
 
@@ -170,6 +189,10 @@ inline MeshArrays arrays(const Mesh& a, const Mesh& b) {
 		for (const auto& t : mesh->triangles) {
 			m.triangles.push_back(
 			    {VertexId{t[0] + offset}, VertexId{t[1] + offset}, VertexId{t[2] + offset}});
+		}
+		if (!a.faux.empty() || !b.faux.empty()) {
+			m.faux.insert(m.faux.end(), mesh->faux.begin(), mesh->faux.end());
+			m.faux.resize(m.triangles.size());
 		}
 		++operand;
 		m.vertexBegin[operand] = static_cast<std::uint32_t>(m.points.size());

@@ -33,6 +33,7 @@ STAGES = (
     "manifold_copies",
     "merge_fragments",
     "clean",
+    "polygons",
     "audit",
 )
 

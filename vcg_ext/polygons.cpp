@@ -1,0 +1,344 @@
+// SPDX-FileCopyrightText: 2026 The Index Boolean authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Half-edges sorted by their edge: the two of a faux edge are neighbours in the list. A set of
+// faces is a simple polygon iff all its vertices are on its border, once each, and its faces are
+// two fewer: its Euler number is then one, which no other surface with a border has.
+#include "polygons.h"
+
+#include "exact_sign.h"
+#include "parallel.h"
+#include "union_find.h"
+
+#include <algorithm>
+
+namespace index_boolean {
+
+namespace {
+
+// A face's edge between the vertices low < high.
+struct HalfEdge {
+	std::uint32_t low, high;
+	std::uint32_t face;
+	std::uint8_t corner;  // that it leaves
+	bool forward;         // it runs from low to high
+
+	bool sameEdge(const HalfEdge& other) const { return low == other.low && high == other.high; }
+};
+
+HalfEdge makeHalfEdge(std::uint32_t from, std::uint32_t to, std::size_t face, std::size_t corner) {
+	return {std::min(from, to), std::max(from, to), static_cast<std::uint32_t>(face),
+	        static_cast<std::uint8_t>(corner), from < to};
+}
+
+// Calls visit(a, b) for the half-edges of each edge that has two, against each other, and no more.
+template <class Visit>
+void visitPairs(std::vector<HalfEdge>& halfEdges, Visit&& visit) {
+	std::sort(halfEdges.begin(), halfEdges.end(), [](const HalfEdge& a, const HalfEdge& b) {
+		return a.low != b.low     ? a.low < b.low
+		       : a.high != b.high ? a.high < b.high
+		                          : a.face < b.face;
+	});
+	for (std::size_t i = 0, end = 0; i < halfEdges.size(); i = end) {
+		while (end < halfEdges.size() && halfEdges[end].sameEdge(halfEdges[i])) {
+			++end;
+		}
+		if (end - i == 2 && halfEdges[i].forward != halfEdges[i + 1].forward) {
+			visit(halfEdges[i], halfEdges[i + 1]);
+		}
+	}
+}
+
+bool has(std::uint8_t mask, std::size_t corner) { return (mask >> corner & 1U) != 0; }
+
+void add(std::uint8_t& mask, std::size_t corner) {
+	mask = static_cast<std::uint8_t>(mask | 1U << corner);
+}
+
+// The faux edges of one operand, each once.
+struct FauxEdges {
+	std::vector<std::array<HalfEdge, 2>> pairs;
+	std::vector<std::uint8_t> isFlat;  // per pair: both faces lie in one plane
+};
+
+// An edge with more than two faces has ends at which the operand is no manifold.
+FauxEdges pairFauxEdges(const Arrangement& arrangement, std::size_t operand) {
+	const MeshArrays& mesh = arrangement.mesh;
+	const auto isManifold = [&](VertexId v) {
+		return !std::binary_search(arrangement.nonManifold.begin(), arrangement.nonManifold.end(),
+		                           v);
+	};
+	std::vector<HalfEdge> halfEdges;
+	for (std::size_t f = mesh.faceBegin[operand]; f < mesh.faceBegin[operand + 1]; ++f) {
+		for (std::size_t i = 0; mesh.faux[f] != 0 && i < 3; ++i) {
+			const VertexId from = mesh.triangles[f][i];
+			const VertexId to = mesh.triangles[f][(i + 1) % 3];
+			if (has(mesh.faux[f], i) && (isManifold(from) || isManifold(to))) {
+				halfEdges.push_back(makeHalfEdge(from.value, to.value, f, i));
+			}
+		}
+	}
+	FauxEdges found;
+	visitPairs(halfEdges, [&](const HalfEdge& a, const HalfEdge& b) {
+		found.pairs.push_back({a, b});
+		found.isFlat.push_back(commonFront(mesh, {a.face}, {b.face}) > 0 ? 1 : 0);
+	});
+	return found;
+}
+
+std::vector<FaceId> roots(UnionFind& sets) {
+	sets.flatten();
+	std::vector<FaceId> result(sets.size());
+	for (std::uint32_t i = 0; i < result.size(); ++i) {
+		result[i] = {sets.root(i)};
+	}
+	return result;
+}
+
+// Marks the faux edges of one finished block.
+class Marker {
+public:
+	Marker(const Arrangement& arrangement, Block& block)
+	    : arrangement_(arrangement), mesh_(arrangement.mesh), block_(block) {}
+
+	void run();
+
+private:
+	bool isWhole(std::size_t face, std::uint8_t& faux) const;
+	void countWholeFaces();
+	void markIntact();
+	void listHalfEdges();
+	void joinPieces();
+	void findSimple();
+
+	std::uint32_t polygonOf(std::size_t face) const {
+		return at(arrangement_.polygons.polygon, block_.faceSource[face].face).value;
+	}
+	// The polygon, and the side of it that is outside.
+	std::uint32_t sideOf(std::size_t face) const {
+		return 2 * polygonOf(face) + (block_.faceSource[face].turned ? 1 : 0);
+	}
+
+	const Arrangement& arrangement_;
+	const MeshArrays& mesh_;
+	Block& block_;
+	std::vector<std::uint32_t> size_;     // faces of a polygon, at its first face
+	std::vector<std::uint32_t> present_;  // and those that are whole in the block, per side
+	std::vector<std::uint32_t> broken_;   // faces of the block in polygons that are not whole
+	std::vector<HalfEdge> halfEdges_;     // their edges, and others on the same two vertices
+	std::vector<std::array<HalfEdge, 2>> inner_;  // between two faces of one side of a polygon
+	std::vector<std::uint32_t> set_;              // per face of the block: joined across these
+	std::vector<std::uint8_t> isSimple_;          // per set
+};
+
+// If a face of the block is all of its input face: whether its edges are faux in the input.
+bool Marker::isWhole(std::size_t face, std::uint8_t& faux) const {
+	const FaceSource& source = block_.faceSource[face];
+	Triangle t = at(mesh_.triangles, source.face);
+	const std::uint8_t given = at(mesh_.faux, source.face);
+	const unsigned mask = source.turned ? turnedFaux(given) : given;
+	if (source.turned) {
+		std::swap(t[1], t[2]);
+	}
+	const auto& c = block_.triangles[face];
+	for (std::size_t k = 0; k < 3; ++k) {
+		if (block_.vertexSource[c[0]] == t[k]) {
+			faux = static_cast<std::uint8_t>((mask | mask << 3U) >> k & 7U);
+			return block_.vertexSource[c[1]] == t[(k + 1) % 3] &&
+			       block_.vertexSource[c[2]] == t[(k + 2) % 3];
+		}
+	}
+	return false;
+}
+
+void Marker::countWholeFaces() {
+	size_.assign(mesh_.triangles.size(), 0);
+	for (const FaceId first : arrangement_.polygons.polygon) {
+		++at(size_, first);
+	}
+	present_.assign(2 * size_.size(), 0);
+	std::uint8_t faux = 0;
+	for (std::size_t f = 0; f < block_.triangles.size(); ++f) {
+		if (size_[polygonOf(f)] > 1 && isWhole(f, faux)) {
+			++present_[sideOf(f)];
+		}
+	}
+}
+
+void Marker::markIntact() {
+	block_.faux.assign(block_.triangles.size(), 0);
+	for (std::size_t f = 0; f < block_.triangles.size(); ++f) {
+		const std::uint32_t size = size_[polygonOf(f)];
+		if (size == 1) {
+			continue;
+		}
+		std::uint8_t faux = 0;
+		if (present_[sideOf(f)] == size && isWhole(f, faux)) {
+			block_.faux[f] = faux;
+		} else {
+			broken_.push_back(static_cast<std::uint32_t>(f));
+		}
+	}
+}
+
+void Marker::listHalfEdges() {
+	std::vector<std::uint8_t> near(block_.points.size(), 0);
+	for (const std::uint32_t f : broken_) {
+		for (const std::uint32_t v : block_.triangles[f]) {
+			near[v] = 1;
+		}
+	}
+	for (std::size_t f = 0; f < block_.triangles.size(); ++f) {
+		const auto& t = block_.triangles[f];
+		for (std::size_t i = 0; i < 3; ++i) {
+			const std::uint32_t from = t[i], to = t[(i + 1) % 3];
+			if (near[from] != 0 && near[to] != 0) {
+				halfEdges_.push_back(makeHalfEdge(from, to, f, i));
+			}
+		}
+	}
+}
+
+void Marker::joinPieces() {
+	UnionFind sets(block_.triangles.size());
+	std::vector<std::uint8_t> isBroken(block_.triangles.size(), 0);
+	for (const std::uint32_t f : broken_) {
+		isBroken[f] = 1;
+	}
+	visitPairs(halfEdges_, [&](const HalfEdge& a, const HalfEdge& b) {
+		if (isBroken[a.face] != 0 && isBroken[b.face] != 0 && sideOf(a.face) == sideOf(b.face)) {
+			inner_.push_back({a, b});
+			sets.unite(a.face, b.face);
+		}
+	});
+	sets.flatten();
+	set_.resize(sets.size());
+	for (std::uint32_t f = 0; f < set_.size(); ++f) {
+		set_[f] = sets.root(f);
+	}
+}
+
+void Marker::findSimple() {
+	std::vector<std::uint32_t> faces(set_.size(), 0), corners(set_.size(), 0);
+	std::vector<std::array<std::uint32_t, 2>> starts;  // of edges, by set and vertex
+	std::vector<std::uint8_t> inner(set_.size(), 0);
+	for (const auto& pair : inner_) {
+		for (const HalfEdge& h : pair) {
+			add(inner[h.face], h.corner);
+		}
+	}
+	isSimple_.assign(set_.size(), 1);
+	std::vector<std::array<std::uint32_t, 2>> used;
+	for (const std::uint32_t f : broken_) {
+		++faces[set_[f]];
+		for (std::size_t i = 0; i < 3; ++i) {
+			used.push_back({set_[f], block_.triangles[f][i]});
+			if (!has(inner[f], i)) {
+				starts.push_back(used.back());
+				++corners[set_[f]];
+			}
+		}
+	}
+	std::sort(starts.begin(), starts.end());
+	std::sort(used.begin(), used.end());
+	used.erase(std::unique(used.begin(), used.end()), used.end());
+	// Each vertex begins one edge of the border: the lists are equal, set by set.
+	for (std::size_t i = 0; i + 1 < starts.size(); ++i) {
+		if (starts[i] == starts[i + 1]) {
+			isSimple_[starts[i][0]] = 0;
+		}
+	}
+	for (const auto& u : used) {
+		if (!std::binary_search(starts.begin(), starts.end(), u)) {
+			isSimple_[u[0]] = 0;
+		}
+	}
+	for (const std::uint32_t f : broken_) {
+		if (faces[set_[f]] + 2 != corners[set_[f]]) {
+			isSimple_[set_[f]] = 0;
+		}
+	}
+}
+
+void Marker::run() {
+	countWholeFaces();
+	markIntact();
+	// Faces merged across polygons belong to none of them.
+	if (!broken_.empty() && !arrangement_.options.mergeCoplanar) {
+		listHalfEdges();
+		joinPieces();
+		findSimple();
+	}
+	for (const auto& pair : inner_) {
+		for (const HalfEdge& h : pair) {
+			if (isSimple_[set_[h.face]] != 0) {
+				add(block_.faux[h.face], h.corner);
+			}
+		}
+	}
+	if (std::none_of(block_.faux.begin(), block_.faux.end(), [](std::uint8_t m) { return m; })) {
+		block_.faux.clear();
+	}
+}
+
+}  // namespace
+
+int commonFront(const MeshArrays& mesh, FaceId a, FaceId b) {
+	const Triangle& s = at(mesh.triangles, a);
+	const Triangle& t = at(mesh.triangles, b);
+	for (const VertexId v : t) {
+		if (orient3d(at(mesh.points, s[0]), at(mesh.points, s[1]), at(mesh.points, s[2]),
+		             at(mesh.points, v)) != 0) {
+			return 0;
+		}
+	}
+	int front = 0;
+	const int axis = projectionAxis(s, mesh.points, front);
+	return front *
+	       orient2d(at(mesh.points, t[0]), at(mesh.points, t[1]), at(mesh.points, t[2]), axis);
+}
+
+Status joinPolygons(Arrangement& arrangement, Monitor& monitor) {
+	MeshArrays& mesh = arrangement.mesh;
+	if (mesh.faux.empty()) {
+		return {};
+	}
+	std::array<FauxEdges, 2> found;
+	const int halves = threadsForHalves(mesh.triangles.size(), arrangement.options.threads);
+	const Status status =
+	    parallelFor(2, 1, halves, monitor, [&](std::size_t begin, std::size_t end) {
+		    for (std::size_t operand = begin; operand < end; ++operand) {
+			    found[operand] = pairFauxEdges(arrangement, operand);
+		    }
+	    });
+	UnionFind polygons(mesh.triangles.size()), flat(mesh.triangles.size());
+	mesh.faux.assign(mesh.triangles.size(), 0);
+	Polygons& out = arrangement.polygons;
+	for (const FauxEdges& edges : found) {
+		for (std::size_t i = 0; i < edges.pairs.size(); ++i) {
+			const auto& [a, b] = edges.pairs[i];
+			polygons.unite(a.face, b.face);
+			add(mesh.faux[a.face], a.corner);
+			add(mesh.faux[b.face], b.corner);
+			if (edges.isFlat[i] != 0) {
+				flat.unite(a.face, b.face);
+				out.flatEdges.push_back({VertexId{a.low}, VertexId{a.high}});
+			}
+		}
+	}
+	std::sort(out.flatEdges.begin(), out.flatEdges.end());
+	out.polygon = roots(polygons);
+	out.flat = roots(flat);
+	return status;
+}
+
+Status findFauxEdges(const Arrangement& arrangement, Monitor& monitor, Block& block) {
+	Status status;
+	if (!arrangement.polygons.polygon.empty()) {
+		Marker(arrangement, block).run();
+	}
+	status.code = pollCancelled(monitor) ? StatusCode::Cancelled : StatusCode::Ok;
+	return status;
+}
+
+}  // namespace index_boolean

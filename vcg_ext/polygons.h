@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: 2026 The Index Boolean authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// in: triangles, some of whose edges are faux: inside a polygon that is one face to the user; out:
+// which faces are one polygon, and, of a finished block, which of its edges are faux again.
+// Guarantee: by indices alone, but for the question which faces lie in one plane, decided exactly.
+// Nothing is done, and no memory taken, for meshes without faux edges.
+#pragma once
+
+#include "arrangement.h"
+#include "blocks.h"
+#include "monitor.h"
+#include "status.h"
+
+namespace index_boolean {
+
+// Whether two input faces lie in one plane: +1 with their fronts to the same side, -1 with fronts
+// to opposite sides; else 0. Exact. \pre both have area
+int commonFront(const MeshArrays& mesh, FaceId a, FaceId b);
+
+// Joins the faces of each operand to polygons, across edges that both their faces call faux; an
+// edge that one face alone calls faux, or that has more than two faces, joins none:
+// arrangement.mesh.faux keeps those only that join. \pre arrangement.nonManifold is known \param
+// arrangement its polygons are filled, its mesh.faux is changed \return Ok, Cancelled or
+// OutOfMemory Complexity: O(n + k log k) for k faux edges, each operand on a thread.
+Status joinPolygons(Arrangement& arrangement, Monitor& monitor);
+
+// Fills block.faux: the faux edges of polygons of which all faces are there as they were; else
+// those inside each set of neighbouring pieces of one polygon, if the set is a simple polygon.
+// Where faces have been merged across polygons (options.mergeCoplanar) only the former. \param
+// block finished \return Ok, Cancelled or OutOfMemory Complexity: O(n + k log k) for k faces of cut
+// polygons.
+Status findFauxEdges(const Arrangement& arrangement, Monitor& monitor, Block& block);
+
+}  // namespace index_boolean
