@@ -75,6 +75,44 @@ TEST(MergeFragments, aVertexThatTouchesAFaceFromOutsideLeavesNoTrace) {
 	EXPECT_EQ(r.audit.blocks[kUnion].components, 2u);
 }
 
+// A corner of an input face of which a piece is left is left too.
+TEST(MergeFragments, inputVerticesStay) {
+	std::size_t corners = 0;
+	for (std::uint32_t seed = 0; seed < 40; ++seed) {
+		SCOPED_TRACE("seed " + std::to_string(seed));
+		std::mt19937 random(seed);
+		const auto step = [&random] { return static_cast<double>(random() % 4); };
+		const auto randomBox = [&] {
+			const Point low{step(), step(), step()};
+			return box(low, {low[0] + 1 + step(), low[1] + 1 + step(), low[2] + 1 + step()});
+		};
+		const BooleanRun solid = run(randomBox(), randomBox(), withoutMerging());
+		ASSERT_TRUE(solid.status.ok());
+		// It has many vertices inside walls and inside straight edges.
+		const Mesh m{solid.blocks[kUnion].points, solid.blocks[kUnion].triangles};
+		const Mesh c = randomBox();
+		const BooleanRun plain = run(m, c, withoutMerging()), merged = run(m, c);
+		ASSERT_TRUE(plain.status.ok() && merged.status.ok());
+		for (std::size_t k = 0; k < 5; ++k) {
+			const Block& block = plain.blocks[k];
+			std::vector<Point> kept = merged.blocks[k].points;
+			std::sort(kept.begin(), kept.end());
+			for (std::size_t f = 0; f < block.triangles.size(); ++f) {
+				const Triangle& parent =
+				    at(plain.arrangement.mesh.triangles, block.faceSource[f].face);
+				for (const std::uint32_t v : block.triangles[f]) {
+					if (std::find(parent.begin(), parent.end(), block.vertexSource[v]) !=
+					    parent.end()) {
+						EXPECT_TRUE(std::binary_search(kept.begin(), kept.end(), block.points[v]));
+						++corners;
+					}
+				}
+			}
+		}
+	}
+	EXPECT_GT(corners, 10000u);
+}
+
 TEST(MergeCoplanar, cubesThatOverlapAtACornerHaveTheFewestFaces) {
 	const Mesh a = box({0, 0, 0}, {2, 2, 2}), b = box({1, 1, 1}, {3, 3, 3});
 	const std::array<std::size_t, 4> fewest{36, 12, 24, 24};

@@ -18,6 +18,9 @@ import placements
 from contact_cases import CASE_NAMES, FANDISK, load_case
 from run_boolean import BLOCKS, SWAPPED_BLOCKS, run_boolean
 
+SYMMETRIC_DIFFERENCE = "symmetric_difference"
+ALL_BLOCKS = (*BLOCKS, SYMMETRIC_DIFFERENCE)
+
 RELATIVE_TOLERANCE = 1e-12
 AREA_TOLERANCE = 1e-9
 
@@ -81,6 +84,7 @@ class Run:
 
     def __init__(self, case, **parameters):
         self.case = case
+        parameters = {"symmetric_difference": True, **parameters}
         self.blocks = run_boolean(*case.first, *case.second, **parameters)
         self.swapped = run_boolean(*case.second, *case.first, **parameters)
         self.results = self.blocks.pop("result"), self.swapped.pop("result")
@@ -138,7 +142,7 @@ def test_volumesAreThoseOfTheClosedForm(run):
         pytest.skip("no closed form")
     if run.case.exact:
         expected = run.expected_volumes(mesh_laws.exact_volume)
-        found = {block: mesh_laws.exact_volume(*mesh) for block, mesh in run.blocks.items()}
+        found = {block: mesh_laws.exact_volume(*run.blocks[block]) for block in BLOCKS}
         assert found == {block: Fraction(volume) for block, volume in expected.items()}
         return
     for block, volume in run.expected_volumes(mesh_laws.volume).items():
@@ -166,7 +170,8 @@ def test_volumesAreThoseOfManifold(run):
 
 def test_volumeLawsHold(run):
     first, second = (mesh_laws.volume(*solid) for solid in run.solids)
-    union, shared, only_first, only_second = (run.figures[block][0] for block in BLOCKS)
+    union, shared, only_first, only_second, one = (run.figures[block][0] for block in ALL_BLOCKS)
+    assert abs(one - only_first - only_second) <= run.tolerance
     assert abs(union + shared - first - second) <= run.tolerance
     assert abs(only_first + shared - first) <= run.tolerance
     assert abs(only_second + shared - second) <= run.tolerance
@@ -178,7 +183,7 @@ def test_blocksAreClosed(run):
     for block, mesh in run.meshes.items():
         assert mesh_laws.unmatched_edges(*mesh) == 0, block
     for result in run.results:
-        assert all(result[f"{block}_closed"] for block in BLOCKS)
+        assert all(result[f"{block}_closed"] for block in ALL_BLOCKS)
 
 
 def test_noFaceHasZeroArea(run):
@@ -203,7 +208,7 @@ def test_blocksAreManifold(run):
 
 
 def test_swappedOperandsGiveTheSameGeometry(run):
-    for block, swapped in zip(BLOCKS, SWAPPED_BLOCKS):
+    for block, swapped in zip(ALL_BLOCKS, (*SWAPPED_BLOCKS, SYMMETRIC_DIFFERENCE)):
         assert same_triangles(run.blocks[block], run.swapped[swapped]), block
 
 
@@ -231,6 +236,19 @@ def test_piecesThatOnlyTouchComeApart(name):
         found = mesh_laws.component_count(faces, len(vertices))
         assert (found, mesh_laws.genus(faces, len(vertices))) == expected, block
         assert run.results[0][f"{block}_components"] == found, block
+
+
+@pytest.mark.parametrize("name", PIECES)
+def test_weldedBlocksHaveOneVertexAtEachPlace(name):
+    run = Run(load_case(name), weld_non_manifold=True)
+    assert not all(mesh_laws.is_manifold(run.blocks[block][1]) for block in PIECES[name])
+    for block, (vertices, faces) in run.meshes.items():
+        assert len(np.unique(vertices + 0.0, axis=0)) == len(vertices), block
+        assert mesh_laws.unmatched_edges(vertices, faces) == 0, block
+        assert mesh_laws.coinciding_faces(vertices, faces) == 0, block
+    test_volumesAreThoseOfTheClosedForm(run)
+    test_noFaceHasZeroArea(run)
+    test_swappedOperandsGiveTheSameGeometry(run)
 
 
 @pytest.mark.parametrize("name", FACES_WITH_COPLANAR_MERGED)
