@@ -51,8 +51,9 @@ class Screen:
         search = ("search", "--onlyvisible", "--name", title)
         return wait_for(f"window {title}", lambda: self.xdotool(*search).split())[-1]
 
-    def is_shown(self, window):
-        return window in self.xdotool("search", "--onlyvisible", "--name", ".").split()
+    def windows(self):
+        """All visible windows of MeshLab, with and without a title."""
+        return set(self.xdotool("search", "--onlyvisible", "--class", "meshlab").split())
 
     def click(self, window, x, y):
         """A negative place counts from the window's right or lower edge."""
@@ -114,8 +115,21 @@ class MeshLab:
         self.dialog = self.screen.window(title)
 
     def apply_filter(self):
-        self.screen.click(self.dialog, -130, -22)
+        self.press_apply()
         self.wait_for_log("Applied filter")
+
+    def press_apply(self):
+        self.screen.click(self.dialog, -130, -22)
+
+    def press_apply_and_confirm_message(self):
+        before = self.screen.windows()
+        self.press_apply()
+        box = wait_for("a box with a message", lambda: self.screen.windows() - before).pop()
+        self.screen.click(box, -60, -23)
+
+    def layer_row(self, position):
+        """The height of a layer's row in the list; its eye is at 876, its name at 960."""
+        return 111 + 31 * position
 
     def close_dialog(self):
         self.screen.click(self.dialog, 130, -22)
@@ -128,7 +142,7 @@ class MeshLab:
         self.screen.click(dialog, 320, -80)  # the file's name
         self.screen.type(path)
         self.screen.keys("Return")
-        wait_for("the project's dialog to close", lambda: not self.screen.is_shown(dialog))
+        wait_for("the project's dialog to close", lambda: dialog not in self.screen.windows())
 
 
 @contextlib.contextmanager

@@ -11,6 +11,7 @@ import shutil
 import subprocess
 from pathlib import Path
 
+import pymeshlab
 import pytest
 
 import gui_driver
@@ -52,6 +53,30 @@ def fresh_folder(path):
     return path
 
 
+def write_with_a_hole(path):
+    vertices, faces = sample_catalogue.sample(NAMES[0])
+    middle = vertices[faces].mean(axis=1)
+    meshes = pymeshlab.MeshSet()
+    meshes.add_mesh(pymeshlab.Mesh(vertices, faces[middle[:, 2] < 0.7 * middle[:, 2].max()]))
+    meshes.save_current_mesh(str(path))
+
+
+def install_for_window_2025():
+    subprocess.run(
+        [gui_driver.ROOT / "tools/install_gui"], check=True,
+        env={**os.environ, "XDG_DATA_HOME": str(TREE / "root/.local/share")},
+    )
+
+
+def window_2025(screen, folder, log, *names):
+    """The program in the tree, with files of the folder (a part of the tree) opened."""
+    start = f"cd /{folder.relative_to(TREE)} && exec meshlab {' '.join(names)}"
+    environment = {"HOME": "/root", "LD_LIBRARY_PATH": "/usr/lib/x86_64-linux-gnu/meshlab"}
+    return gui_driver.running(
+        screen, "2025.07", ["chroot", TREE, "sh", "-c", start], folder, log, environment
+    )
+
+
 def open_both(meshlab):
     meshlab.wait_for_log("Opened mesh", count=2)
 
@@ -68,7 +93,7 @@ def show_menu(meshlab):
 def show_one_block(meshlab):
     """Hides all layers but the first difference."""
     for position in (0, 1, 2, 3, 5):
-        meshlab.screen.click(meshlab.main, 876, 111 + 31 * position)
+        meshlab.screen.click(meshlab.main, 876, meshlab.layer_row(position))
     picture(meshlab.screen, "gui_result.png")
 
 
@@ -96,14 +121,10 @@ def expect_saved_blocks(folder, tmp_path):
 
 def test_window2025FindsAppliesAndSavesFourLayers(tmp_path):
     folder = fresh_folder(TREE / "root/test")
-    subprocess.run(
-        [gui_driver.ROOT / "tools/install_gui"], check=True,
-        env={**os.environ, "XDG_DATA_HOME": str(TREE / "root/.local/share")},
-    )
-    start = f"cd /root/test && exec meshlab {NAMES[0]}.ply {NAMES[1]}.ply"
-    environment = {"HOME": "/root", "LD_LIBRARY_PATH": "/usr/lib/x86_64-linux-gnu/meshlab"}
-    with gui_driver.screen() as screen, gui_driver.running(
-        screen, "2025.07", ["chroot", TREE, "sh", "-c", start], folder, tmp_path / "log", environment
+    install_for_window_2025()
+    files = [f"{name}.ply" for name in NAMES]
+    with gui_driver.screen() as screen, window_2025(
+        screen, folder, tmp_path / "log", *files
     ) as meshlab:
         open_both(meshlab)
         show_menu(meshlab)
@@ -114,6 +135,24 @@ def test_window2025FindsAppliesAndSavesFourLayers(tmp_path):
     assert project.count("<MLMesh ") == 6
     assert all(f'label="{label}"' in project for label in LABELS.values())
     expect_saved_blocks(folder, tmp_path)
+
+
+def test_window2025SaysWhyItRefusesALayerAndGoesOn(tmp_path):
+    folder = fresh_folder(TREE / "root/test")
+    write_with_a_hole(folder / "open.ply")
+    install_for_window_2025()
+    with gui_driver.screen() as screen, window_2025(
+        screen, folder, tmp_path / "log", "open.ply", f"{NAMES[1]}.ply"
+    ) as meshlab:
+        open_both(meshlab)
+        meshlab.search_filter("index boolean union")
+        meshlab.open_found_filter(TITLE)
+        meshlab.press_apply_and_confirm_message()
+        meshlab.wait_for_log('Layer "open.ply" (id 0) is not closed')
+        meshlab.close_dialog()
+        screen.click(meshlab.main, 960, meshlab.layer_row(0))
+        picture(screen, "gui_refusal.png")
+        assert meshlab.process.poll() is None
 
 
 @pytest.mark.skipif(not meshlabserver.is_debian_12(), reason="only Debian 12 has MeshLab 2020.09")
