@@ -58,6 +58,7 @@ private:
 	void groupByPlane();
 	bool coplanar(std::uint32_t f, std::uint32_t g) const;
 	bool liesInPolygon(VertexId v) const;
+	void keepCopies();
 	void sortCandidates();
 	std::vector<Point> linkPoints(std::uint32_t v) const;
 	bool findStar(std::uint32_t v, std::vector<LinkEdge>& star) const;
@@ -111,6 +112,25 @@ void Merger::listCandidates() {
 			candidates_.push_back(v);
 		}
 	}
+}
+
+// Where the block touches itself, all the sheets there keep their copy of the vertex: else a corner
+// of one would lie inside an edge or a face of another, which no run takes as an operand. Copies of
+// a suspect vertex are suspect.
+void Merger::keepCopies() {
+	const auto source = [this](std::uint32_t v) { return block_.vertexSource[v]; };
+	std::sort(candidates_.begin(), candidates_.end(),
+	          [&](std::uint32_t a, std::uint32_t b) { return source(a) < source(b); });
+	std::size_t kept = 0;
+	for (std::size_t i = 0, end = 0; i < candidates_.size(); i = end) {
+		while (end < candidates_.size() && source(candidates_[end]) == source(candidates_[i])) {
+			++end;
+		}
+		if (end - i == 1) {
+			candidates_[kept++] = candidates_[i];
+		}
+	}
+	candidates_.resize(kept);
 }
 
 void Merger::collectFaces() {
@@ -451,6 +471,7 @@ void Merger::compact() {
 Status Merger::run() {
 	Status status;
 	listCandidates();
+	keepCopies();
 	if (candidates_.empty()) {
 		return status;
 	}

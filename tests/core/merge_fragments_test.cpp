@@ -6,6 +6,8 @@
 
 #include <gtest/gtest.h>
 
+#include <functional>
+
 namespace index_boolean {
 namespace {
 
@@ -111,6 +113,66 @@ TEST(MergeFragments, inputVerticesStay) {
 		}
 	}
 	EXPECT_GT(corners, 10000u);
+}
+
+TEST(MergeFragments, solidsThatTouchAreFitForTheNextRun) {
+	// An edge of the second lies inside an edge of the first; the third cuts both at an end of it.
+	const BooleanRun both = run(box({0, 0, 0}, {4, 4, 4}), box({4, 1, 4}, {6, 2, 6}));
+	ASSERT_TRUE(both.status.ok());
+	const Mesh solids{both.blocks[kUnion].points, both.blocks[kUnion].triangles};
+	for (const Options& options : {Options{}, withCoplanar()}) {
+		const BooleanRun r = run(solids, box({3, 0.5, 3}, {5, 1.5, 5}), options);
+		ASSERT_TRUE(r.status.ok()) << describe(r.status);
+		EXPECT_DOUBLE_EQ(r.volume(Operation::FirstMinusSecond), 66.5);
+	}
+}
+
+// Boxes on a grid, united and cut off one after another: the volume is counted.
+TEST(MergeFragments, longChainsOfRunsOnAGridAreNeverRefused) {
+	constexpr std::size_t kSize = 6;
+	std::size_t runs = 0;
+	for (std::uint32_t seed = 0; seed < 40; ++seed) {
+		std::mt19937 random(seed);
+		std::array<bool, kSize * kSize * kSize> cells{};
+		Mesh solid;
+		for (int step = 0; step < 10; ++step) {
+			std::array<std::size_t, 3> low, high;
+			for (std::size_t i = 0; i < 3; ++i) {
+				low[i] = random() % (kSize - 1);
+				high[i] = std::min(kSize, low[i] + 1 + random() % 3);
+			}
+			const bool adds = step == 0 || random() % 2 == 0;
+			for (std::size_t c = 0; c < cells.size(); ++c) {
+				const std::array<std::size_t, 3> at{c % kSize, c / kSize % kSize,
+				                                    c / kSize / kSize};
+				if (std::equal(at.begin(), at.end(), low.begin(), std::greater_equal<>()) &&
+				    std::equal(at.begin(), at.end(), high.begin(), std::less<>())) {
+					cells[c] = adds;
+				}
+			}
+			const auto point = [](const std::array<std::size_t, 3>& p) {
+				return Point{static_cast<double>(p[0]), static_cast<double>(p[1]),
+				             static_cast<double>(p[2])};
+			};
+			const Mesh next = box(point(low), point(high));
+			const auto count = static_cast<double>(std::count(cells.begin(), cells.end(), true));
+			if (step == 0) {
+				solid = next;
+				continue;
+			}
+			const BooleanRun r = run(solid, next, seed % 2 == 0 ? Options{} : withCoplanar());
+			ASSERT_TRUE(r.status.ok())
+			    << "seed " << seed << ", step " << step << ": " << describe(r.status);
+			const Block& block = r.blocks[adds ? kUnion : kFirstOnly];
+			EXPECT_NEAR(volumeOf(block.points, block.triangles), count, 1e-9);
+			solid = {block.points, block.triangles};
+			++runs;
+			if (count == 0) {
+				break;
+			}
+		}
+	}
+	EXPECT_GT(runs, 300u);
 }
 
 TEST(MergeCoplanar, cubesThatOverlapAtACornerHaveTheFewestFaces) {
