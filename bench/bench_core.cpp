@@ -3,7 +3,8 @@
 //
 // index_boolean_bench: times the core alone, from arrays to arrays, and prints JSON.
 // Timed is all that a caller of the core waits for: the copy of both operands into its arrays,
-// the arrangement, the blocks, their audit, and freeing the arrangement; not reading or placing.
+// the arrangement, the blocks and their audit (or the parts that both are split into), and freeing
+// the arrangement; not reading or placing.
 // Every run starts anew. Exit status: 0 done, 1 refused or unreadable input, 2 usage.
 #include "operands.h"
 
@@ -34,6 +35,8 @@ const std::vector<Operation> kFourBlocks{Operation::Union, Operation::Intersecti
 struct CommandLine {
 	std::vector<std::string> files;
 	std::size_t spheres = 0, cubeAndSphere = 0;  // faces of a sphere; 0: not asked for
+	std::array<std::size_t, 2> terrain{};        // faces of the terrain and of the sheet
+	bool split = false;
 	std::string placement = "none";
 	std::array<std::vector<double>, 2> transforms;  // 12 or 16 numbers, or none
 	Operation operation = Operation::Union;
@@ -75,6 +78,10 @@ Operands makeOperands(const CommandLine& commandLine) {
 		operands[0] = index_boolean_bench::makeCube(1.6);
 		operands[1] = index_boolean_bench::makeSphere(commandLine.cubeAndSphere);
 		transform(index_boolean_bench::standardRotation(), operands[1]);
+	} else if (commandLine.terrain[0] > 0) {
+		operands[0] = index_boolean_bench::makeTerrain(commandLine.terrain[0], 6, 0.05);
+		operands[1] = index_boolean_bench::makeTerrain(commandLine.terrain[1], 2, 0.03);
+		transform({1.2, 0, 0, -0.1, 0, 1.2, 0, -0.1, 0, 0, 1, 0.01}, operands[1]);
 	} else {
 		for (std::size_t k = 0; k < 2; ++k) {
 			operands[k] = index_boolean_bench::readSurface(commandLine.files[k]);
@@ -123,6 +130,8 @@ struct Outcome {
 	LoopCounts loops;
 	std::vector<Block> blocks;
 	Audit audit;
+	std::array<std::size_t, 2> subSurfaces{};
+	std::size_t subBlocks = 0;
 };
 
 MeshArrays copyIn(const Operands& operands) {
@@ -164,6 +173,26 @@ Status readBlocks(const Arrangement& arrangement, const std::vector<Operation>& 
 	return status;
 }
 
+// The stages after an arrangement for splitting: all parts, and the meshes of the sub-surfaces.
+Status readParts(const Arrangement& arrangement, StopWatch& stage, Outcome& out) {
+	Monitor monitor;
+	Split parts;
+	Status status = split(arrangement, monitor, parts);
+	stage.lap();
+	for (const StageTime& time : parts.stageTimes) {
+		out.stages.emplace_back(time.stage, time.seconds);
+	}
+	for (std::size_t k = 0; k < 2 && status.ok(); ++k) {
+		SplitMesh mesh;
+		status = extractSubSurfaces(arrangement, parts, k, monitor, mesh);
+		out.subSurfaces[k] = parts.surfaces.ofOperand[k].size();
+	}
+	out.subBlocks = parts.blocks.all.size();
+	out.stages.emplace_back("sub-surface meshes", stage.lap());
+	return status;
+}
+
+// No operations: the operands are split.
 Outcome runOnce(const Operands& operands, const Options& options,
                 const std::vector<Operation>& operations) {
 	Outcome outcome;
@@ -172,13 +201,16 @@ Outcome runOnce(const Operands& operands, const Options& options,
 	StopWatch total, stage;
 	MeshArrays input = copyIn(operands);
 	outcome.stages.emplace_back("copy in", stage.lap());
-	outcome.status = arrange(std::move(input), options, monitor, arrangement);
+	outcome.status = operations.empty()
+	                     ? arrangeSurfaces(std::move(input), options, monitor, arrangement)
+	                     : arrange(std::move(input), options, monitor, arrangement);
 	stage.lap();
 	if (outcome.status.ok()) {
 		for (const StageTime& time : arrangement.stageTimes) {
 			outcome.stages.emplace_back(time.stage, time.seconds);
 		}
-		outcome.status = readBlocks(arrangement, operations, stage, outcome);
+		outcome.status = operations.empty() ? readParts(arrangement, stage, outcome)
+		                                    : readBlocks(arrangement, operations, stage, outcome);
 	}
 	outcome.loops = arrangement.loopCounts;
 	arrangement = {};
@@ -253,8 +285,13 @@ Status measure(const CommandLine& commandLine, const Operands& operands,
 		out["loops"] = {{"open", outcome.loops.open},
 		                {"hard_closed", outcome.loops.hardClosed},
 		                {"soft_closed", outcome.loops.softClosed}};
-		out["volume_law_residual"] = outcome.audit.volumeLawResidual;
-		out["blocks"] = describeBlocks(outcome);
+		if (operations.empty()) {
+			out["sub_surfaces"] = outcome.subSurfaces;
+			out["sub_blocks"] = outcome.subBlocks;
+		} else {
+			out["volume_law_residual"] = outcome.audit.volumeLawResidual;
+			out["blocks"] = describeBlocks(outcome);
+		}
 	}
 	out["peak_memory_bytes"] = residentMemory("VmHWM");
 	out["seconds"] = median(totals);
@@ -279,6 +316,11 @@ CommandLine parse(int argc, char** argv) {
 	app.add_option("--cube-and-sphere", out.cubeAndSphere,
 	               "A cube of side 1.6 and a unit sphere of about this many faces")
 	    ->check(CLI::PositiveNumber);
+	app.add_option("--terrain", out.terrain,
+	               "A terrain over the unit square and a sheet that cuts it, of about this many "
+	               "faces each; they are split")
+	    ->check(CLI::PositiveNumber);
+	app.add_flag("--split", out.split, "Times the sub-surfaces and sub-blocks, not the blocks");
 	app.add_option("--place", out.placement,
 	               "standard: each centred, longest side 1, the second then turned by 0.7 rad "
 	               "about (1,2,3), and shifted by (0.05,0.04,0.03) if it is the same file")
@@ -306,10 +348,11 @@ CommandLine parse(int argc, char** argv) {
 	try {
 		app.parse(argc, argv);
 		const int sources = (out.files.empty() ? 0 : 1) + (out.spheres > 0 ? 1 : 0) +
-		                    (out.cubeAndSphere > 0 ? 1 : 0);
+		                    (out.cubeAndSphere > 0 ? 1 : 0) + (out.terrain[0] > 0 ? 1 : 0);
 		if (sources != 1) {
-			throw CLI::ValidationError("give two files, --spheres or --cube-and-sphere");
+			throw CLI::ValidationError("give two files, --spheres, --cube-and-sphere or --terrain");
 		}
+		out.split = out.split || out.terrain[0] > 0;
 		for (const auto& numbers : out.transforms) {
 			if (!numbers.empty() && numbers.size() != 12 && numbers.size() != 16) {
 				throw CLI::ValidationError("a transform has 12 or 16 numbers");
@@ -332,12 +375,19 @@ int run(const CommandLine& commandLine) {
 		out["operands"].push_back(
 		    {{"vertices", surface.points.size()}, {"faces", surface.triangles.size()}});
 	}
-	out["operation"] = operationName(commandLine.operation);
+	if (!commandLine.split) {
+		out["operation"] = operationName(commandLine.operation);
+	}
 	out["threads"] = commandLine.threads > 0 ? commandLine.threads : omp_get_max_threads();
 	out["memory_before_bytes"] = residentMemory("VmRSS");
-	Status status = measure(commandLine, operands, {commandLine.operation}, out["one_operation"]);
-	if (status.ok()) {
-		status = measure(commandLine, operands, kFourBlocks, out["four_blocks"]);
+	Status status;
+	if (commandLine.split) {
+		status = measure(commandLine, operands, {}, out["split"]);
+	} else {
+		status = measure(commandLine, operands, {commandLine.operation}, out["one_operation"]);
+		if (status.ok()) {
+			status = measure(commandLine, operands, kFourBlocks, out["four_blocks"]);
+		}
 	}
 	out["status"] = statusName(status.code);
 	if (!status.ok()) {

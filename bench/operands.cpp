@@ -124,6 +124,36 @@ Surface makeSphere(std::size_t faces) {
 	return sphere;
 }
 
+Surface makeTerrain(std::size_t faces, int octaves, double height) {
+	const double perSide = std::sqrt(static_cast<double>(faces) / 2);
+	const auto n = static_cast<std::uint32_t>(std::max(1.0, std::round(perSide)));
+	const auto heightAt = [=](double x, double y) {
+		double z = 0, scale = 1;
+		for (int octave = 0; octave < octaves; ++octave, scale *= 2) {
+			const double turn = 0.7 * octave, phase = 1.3 * octave;
+			const double u = std::cos(turn) * x - std::sin(turn) * y;
+			const double v = std::sin(turn) * x + std::cos(turn) * y;
+			z += height / scale * std::sin(9 * scale * u + phase) * std::sin(7 * scale * v - phase);
+		}
+		return z;
+	};
+	Surface terrain;
+	for (std::uint32_t i = 0; i <= n; ++i) {
+		for (std::uint32_t j = 0; j <= n; ++j) {
+			const double x = static_cast<double>(i) / n, y = static_cast<double>(j) / n;
+			terrain.points.push_back({x, y, heightAt(x, y)});
+		}
+	}
+	for (std::uint32_t i = 0; i < n; ++i) {
+		for (std::uint32_t j = 0; j < n; ++j) {
+			const std::uint32_t a = i * (n + 1) + j, b = a + n + 1;
+			terrain.triangles.push_back({a, b, b + 1});
+			terrain.triangles.push_back({a, b + 1, a + 1});
+		}
+	}
+	return terrain;
+}
+
 Surface makeCube(double side) {
 	Surface cube;
 	const double h = side / 2;

@@ -35,6 +35,11 @@ Surface makeSphere(std::size_t faces);
 // An axis-parallel cube around the origin, 12 triangles.
 Surface makeCube(double side);
 
+// A height field over the unit square with about this many faces: hills of several sizes.
+// \param octaves how many sizes of hills, each half as large as the one before
+// \param height  of the largest hills
+Surface makeTerrain(std::size_t faces, int octaves, double height);
+
 void transform(const Matrix& matrix, Surface& surface);
 
 // The standard placement: the centre of the bounding box to the origin, its longest side to 1.
