@@ -33,7 +33,8 @@ int meets(const Arrangement& arrangement, const AxisLine& line, const Triangle& 
 // \param hits replaced; by line, then along it
 // \return Ok, Cancelled, OutOfMemory, InternalError; SelfIntersecting if a line meets two faces in
 //         one place, which then overlap
-// Complexity: O(n + l log l + h log h) for n faces, l lines and h faces with boxes that lines meet.
+// Complexity: O(n + l log l + h log h) for n faces, l lines and h hits, for faces as small as the
+// distances between lines; a line costs one test for each face with a box that it meets.
 Status castLines(const Arrangement& arrangement, const SurfaceComplex& complex,
                  const std::vector<AxisLine>& lines, Monitor& monitor, std::vector<LineHit>& hits);
 

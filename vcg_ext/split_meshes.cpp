@@ -13,6 +13,7 @@ namespace index_boolean {
 namespace {
 
 constexpr std::size_t kGrain = 1 << 14;
+constexpr std::uint32_t kUnused = 0xffffffffu;
 
 // A face of the complex as a mesh has it.
 struct ChosenFace {
@@ -33,7 +34,9 @@ public:
 	Status run();
 
 private:
-	Status numberVertices();
+	void listVertices();
+	std::uint32_t numberOf(VertexId v) const;
+	Status placeVertices();
 	Status clean();
 	std::array<std::int32_t, 2> besideOf(const ChosenFace& face) const;
 
@@ -43,6 +46,7 @@ private:
 	Monitor& monitor_;
 	SplitMesh& out_;
 	std::vector<ChosenFace> chosen_;
+	std::vector<std::uint32_t> numbers_;  // per vertex, kUnused without; empty: look it up
 };
 
 std::array<std::int32_t, 2> Collector::besideOf(const ChosenFace& face) const {
@@ -53,15 +57,44 @@ std::array<std::int32_t, 2> Collector::besideOf(const ChosenFace& face) const {
 	return beside;
 }
 
-// Vertices in the order of their ids.
-Status Collector::numberVertices() {
-	for (const ChosenFace& face : chosen_) {
-		const Triangle& t = surfaces_.complex.faces[face.face].corners;
-		out_.vertexSource.insert(out_.vertexSource.end(), t.begin(), t.end());
-	}
+// Lists the vertices of the chosen faces, ascending: by marks if most of all are chosen.
+void Collector::listVertices() {
+	const std::vector<RefinedFace>& faces = surfaces_.complex.faces;
 	std::vector<VertexId>& used = out_.vertexSource;
-	std::sort(used.begin(), used.end());
-	used.erase(std::unique(used.begin(), used.end()), used.end());
+	if (chosen_.size() < faces.size() / 8) {
+		for (const ChosenFace& face : chosen_) {
+			const Triangle& t = faces[face.face].corners;
+			used.insert(used.end(), t.begin(), t.end());
+		}
+		std::sort(used.begin(), used.end());
+		used.erase(std::unique(used.begin(), used.end()), used.end());
+		return;
+	}
+	numbers_.assign(arrangement_.mesh.points.size() + arrangement_.curve.pointCount(), kUnused);
+	for (const ChosenFace& face : chosen_) {
+		for (const VertexId v : faces[face.face].corners) {
+			at(numbers_, v) = 0;
+		}
+	}
+	for (std::uint32_t v = 0; v < numbers_.size(); ++v) {
+		if (numbers_[v] != kUnused) {
+			numbers_[v] = static_cast<std::uint32_t>(used.size());
+			used.push_back({v});
+		}
+	}
+}
+
+std::uint32_t Collector::numberOf(VertexId v) const {
+	if (!numbers_.empty()) {
+		return at(numbers_, v);
+	}
+	const auto it = std::lower_bound(out_.vertexSource.begin(), out_.vertexSource.end(), v);
+	return static_cast<std::uint32_t>(it - out_.vertexSource.begin());
+}
+
+Status Collector::placeVertices() {
+	listVertices();
+	const std::vector<VertexId>& used = out_.vertexSource;
 	out_.points.resize(used.size());
 	return parallelFor(used.size(), kGrain, arrangement_.options.threads, monitor_,
 	                   [&](std::size_t begin, std::size_t end) {
@@ -98,11 +131,7 @@ Status Collector::clean() {
 }
 
 Status Collector::run() {
-	Status status = numberVertices();
-	const auto numberOf = [this](VertexId v) {
-		const auto it = std::lower_bound(out_.vertexSource.begin(), out_.vertexSource.end(), v);
-		return static_cast<std::uint32_t>(it - out_.vertexSource.begin());
-	};
+	Status status = placeVertices();
 	const std::size_t n = chosen_.size();
 	out_.triangles.resize(n);
 	out_.faceSource.resize(n);

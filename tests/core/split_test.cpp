@@ -5,6 +5,8 @@
 // how the input is numbered.
 #include "shapes.h"
 
+#include <vcg_ext/zero_area.h>
+
 #include <gtest/gtest.h>
 
 #include <set>
@@ -497,6 +499,120 @@ TEST(Split, insideOutSolidIsASolid) {
 	const SplitRun r = lawful(turned(unitBox), flatSheet(3, {-1, 2, -1, 2}, 0.25));
 	expectVolumes(r, {0.25, 0.75});
 	EXPECT_EQ(r.split.blocks.all[0].windings[0], 1);
+}
+
+TEST(Split, manyGrainsInAShell) {
+	Mesh grains;
+	constexpr int kSide = 10;
+	for (int i = 0; i < kSide * kSide * kSide; ++i) {
+		const double x = i % kSide, y = i / kSide % kSide, z = i / kSide / kSide;
+		grains = joined(grains, box({x, y, z}, {x + 0.5, y + 0.5, z + 0.5}));
+	}
+	const SplitRun r = lawful(box({-1, -1, -1}, {kSide, kSide, kSide}), grains);
+	ASSERT_EQ(r.blocks.size(), kSide * kSide * kSide + 1u);
+	EXPECT_NEAR(volumes(r).back(), std::pow(kSide + 1, 3) - std::pow(kSide, 3) / 8, 1e-7);
+}
+
+TEST(Split, facesWithoutAreaAndFacesTwice) {
+	Mesh cut = flatSheet(2, {-1, 2, -1, 2}, 0.25);
+	// On the border, a face of three points on one line; inside, a face twice and turned.
+	cut.points.push_back({-1, 0, 0.25});
+	cut.triangles.push_back({0, 1, 9});
+	cut.triangles.push_back(cut.triangles[3]);
+	cut.triangles.push_back({cut.triangles[5][0], cut.triangles[5][2], cut.triangles[5][1]});
+	const SplitRun r = splitOf(unitBox, cut);
+	ASSERT_TRUE(r.status.ok()) << describe(r.status);
+	expectVolumes(r, {0.25, 0.75});
+	EXPECT_EQ(surfaceCount(r, 1), 2u);
+	EXPECT_EQ(r.arrangement.duplicates.takenOnce[1], 2u);
+	double area = 0;
+	for (const SubSurface& surface : r.split.surfaces.all) {
+		area += surface.number[1] >= 0 ? surface.area : 0;
+	}
+	EXPECT_NEAR(area, 9, 1e-12);
+}
+
+TEST(Split, anyScaleAndPlace) {
+	for (const int exponent : {-1074, -1060, -600, 300, 1000}) {
+		Mesh solid = unitBox, cut = flatSheet(1, {-1, 2, -1, 2}, 1);
+		for (Mesh* mesh : {&solid, &cut}) {
+			for (Point& p : mesh->points) {
+				for (std::size_t k = 0; k < 3; ++k) {
+					p[k] = std::ldexp(mesh == &solid ? 4 * p[k] : p[k] + (k < 2 ? 1 : 0) * p[k],
+					                  exponent);
+				}
+			}
+		}
+		const SplitRun r = splitOf(solid, cut);
+		ASSERT_TRUE(r.status.ok()) << describe(r.status);
+		// Half-way round the box the sheet goes on beyond it, half-way it ends there.
+		EXPECT_EQ(loops(r), (LoopNumbers{0, 0, 2})) << exponent;
+		EXPECT_EQ(r.blocks.size(), 2u) << exponent;
+	}
+	std::mt19937 random(3);
+	Mesh solid = placed(sphere(12, {0, 0, 0}, 1), random, 0);
+	const auto wave = [](double x, double y) { return 0.2 * std::cos(5 * x) * std::sin(3 * y); };
+	Mesh cut = sheet(15, 15, {-1.5, 1.5, -1.5, 1.5}, wave);
+	for (const double offset : {0.0, 3e3, 3e4}) {
+		for (Mesh* mesh : {&solid, &cut}) {
+			for (Point& p : mesh->points) {
+				p = {p[0] + offset, p[1] - 2 * offset, p[2] + 3 * offset};
+			}
+		}
+		// In float these places have few different coordinates: many faces lose their area.
+		Options options;
+		options.outputScalar = OutputScalar::Float;
+		const SplitRun r = splitOf(solid, cut, options);
+		ASSERT_TRUE(r.status.ok()) << describe(r.status);
+		EXPECT_EQ(r.blocks.size(), 2u);
+		for (const SplitMesh& block : r.blocks) {
+			EXPECT_TRUE(isClosed(block.triangles));
+		}
+		for (const SplitMesh* mesh : {&r.surfaces[0], &r.surfaces[1], &r.blocks[0], &r.blocks[1]}) {
+			for (const auto& t : mesh->triangles) {
+				EXPECT_FALSE(
+				    hasZeroArea(mesh->points[t[0]], mesh->points[t[1]], mesh->points[t[2]]));
+			}
+		}
+	}
+}
+
+// Triangles of few coordinates, that may intersect each other: refused or split, but never wrong in
+// what is a matter of indices.
+TEST(Split, soupsAreSplitOrRefused) {
+	std::mt19937 random(13);
+	std::uniform_int_distribution<int> coordinate(0, 5);
+	std::size_t done = 0, refused = 0;
+	for (int round = 0; round < 1500; ++round) {
+		std::array<Mesh, 2> soups;
+		for (Mesh& soup : soups) {
+			for (int i = 0; i < 8; ++i) {
+				soup.points.push_back({static_cast<double>(coordinate(random)),
+				                       static_cast<double>(coordinate(random)),
+				                       static_cast<double>(coordinate(random))});
+			}
+			for (int i = 0; i < 2 + round % 5; ++i) {
+				soup.triangles.push_back({static_cast<std::uint32_t>(random() % 8),
+				                          static_cast<std::uint32_t>(random() % 8),
+				                          static_cast<std::uint32_t>(random() % 8)});
+			}
+		}
+		const SplitRun r = splitOf(soups[0], soups[1]);
+		if (r.status.ok()) {
+			++done;
+			for (const SplitMesh& block : r.blocks) {
+				EXPECT_TRUE(isClosed(block.triangles));
+			}
+		} else {
+			++refused;
+			EXPECT_TRUE(r.status.code == StatusCode::SelfIntersecting ||
+			            r.status.code == StatusCode::EmptyOperand)
+			    << describe(r.status) << " in round " << round;
+			EXPECT_TRUE(r.status.code == StatusCode::EmptyOperand || !r.status.faces.empty());
+		}
+	}
+	EXPECT_GT(done, 300u);
+	EXPECT_GT(refused, 50u);
 }
 
 // What must not depend on the input's numbering.
