@@ -79,6 +79,16 @@ TEST(Blocks, aBarThroughABoxLeavesTwoEndsAndATunnel) {
 	EXPECT_EQ(r.arrangement.loopCounts.hardClosed, 2u);
 }
 
+TEST(Blocks, aWallOnAWallHasOneLoopAroundTheOverlap) {
+	for (const Mesh& other : {box({4, 1, 1}, {5, 2, 2}), box({3, 1, 1}, {4, 2, 2})}) {
+		const BooleanRun r = run(kBoxA, other);
+		expectLaws(r);
+		EXPECT_EQ(r.arrangement.loopCounts.hardClosed, 1u);
+		EXPECT_EQ(r.arrangement.loopCounts.softClosed, 0u);
+		EXPECT_EQ(r.arrangement.loopCounts.open, 0u);
+	}
+}
+
 TEST(Blocks, disjointOperandsAreUnitedAsTheyAre) {
 	const BooleanRun r = run(kBoxA, box({10, 10, 10}, {11, 12, 13}));
 	expectLaws(r);

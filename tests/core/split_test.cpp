@@ -110,6 +110,10 @@ void expectLaws(const SplitRun& r, const Mesh& a, const Mesh& b) {
 	std::map<std::pair<std::uint32_t, bool>, std::int32_t> facing;
 	for (std::size_t i = 0; i < blocks.all.size(); ++i) {
 		ASSERT_TRUE(isClosed(r.blocks[i].triangles)) << "block " << i;
+		for (const auto& beside : r.blocks[i].beside) {
+			EXPECT_EQ(beside[1], static_cast<std::int32_t>(i));
+			EXPECT_NE(beside[0], beside[1]);
+		}
 		EXPECT_NEAR(volumeOf(r.blocks[i].points, r.blocks[i].triangles), blocks.all[i].volume,
 		            1e-12 * scale);
 		EXPECT_GT(blocks.all[i].volume, 0);
@@ -357,7 +361,12 @@ TEST(Split, sheetThatEndsInsideTheSolidSeparatesNothing) {
 	EXPECT_EQ(surfaceCount(r, 0), 1u);
 	expectVolumes(r, {1});
 	EXPECT_EQ(separatingCount(r), 1u);
-	ASSERT_EQ(r.split.blocks.all[0].dangling.size(), 1u);
+	EXPECT_EQ(r.split.blocks.all[0].dangling.size(), 1u);
+	// The walls have a slit, which bounds nothing.
+	EXPECT_EQ(publicCount(r, 0), 0u);
+	const SubSurface& walls = at(r.split.surfaces.all, r.split.surfaces.ofOperand[0][0]);
+	EXPECT_EQ(walls.cycleCount, 1u);
+	EXPECT_EQ(walls.closedCycles, 0u);
 }
 
 TEST(Split, sheetWhollyInsideDangles) {
@@ -499,6 +508,34 @@ TEST(Split, insideOutSolidIsASolid) {
 	const SplitRun r = lawful(turned(unitBox), flatSheet(3, {-1, 2, -1, 2}, 0.25));
 	expectVolumes(r, {0.25, 0.75});
 	EXPECT_EQ(r.split.blocks.all[0].windings[0], 1);
+}
+
+// Lines that meet edges, corners, and two faces in one place.
+TEST(Split, linesThroughEdgesAndCorners) {
+	Mesh grain;
+	grain.points = {{-3, -1.5, -5}, {3, -1.5, -5}, {0, 3, -5}};
+	grain.triangles = {{0, 1, 2}};
+	Mesh a = box({-1, -1, 0}, {1, 1, 3}), b = box({-1.5, -2, 0}, {1.5, 2, 4});
+	for (Mesh* mesh : {&a, &b}) {
+		for (Point& p : mesh->points) {
+			p[2] = p[2] == 0 ? (mesh == &a ? 1 + p[0] : 1 - p[0]) : p[2];
+		}
+	}
+	expectVolumes(lawful(joined(grain, a), b), {2, 6, 30});
+	expectVolumes(lawful(a, joined(b, grain)), {2, 6, 30});
+	Mesh diamond;
+	diamond.points = {{-9, 0, 0}, {9, 0, 0}, {0, -9, 0}, {0, 9, 0}, {0, 0, -9}, {0, 0, 9}};
+	for (std::uint32_t i = 0; i < 8; ++i) {
+		const std::uint32_t x = i & 1u, y = 2 + (i >> 1 & 1u), z = 4 + (i >> 2 & 1u);
+		const bool turned = ((i & 1u) + (i >> 1 & 1u) + (i >> 2 & 1u)) % 2 == 0;
+		diamond.triangles.push_back({x, turned ? z : y, turned ? y : z});
+	}
+	for (Point& p : grain.points) {
+		p[2] = 0.5;
+	}
+	const SplitRun r = lawful(diamond, grain);
+	expectVolumes(r, {972});
+	EXPECT_EQ(r.split.blocks.all[0].dangling.size(), 1u);
 }
 
 TEST(Split, manyGrainsInAShell) {
@@ -666,6 +703,7 @@ void expectInvariant(const Mesh& a, const Mesh& b, std::mt19937& random) {
 	const auto geometry = geometryOf(reference, false);
 	const SplitRun other = lawful(permuted(a, random), permuted(b, random));
 	EXPECT_EQ(geometryOf(other, false), geometry);
+	EXPECT_EQ(other.split.blocks.beside, reference.split.blocks.beside);
 	EXPECT_EQ(loopPoints(other), loopPoints(reference));
 	const SplitRun swapped = lawful(b, a);
 	EXPECT_EQ(geometryOf(swapped, true), geometry);
@@ -704,6 +742,33 @@ TEST(Split, flippedSheetGivesTheSameBlocks) {
 		const auto blocks = static_cast<std::ptrdiff_t>(r.blocks.size());
 		EXPECT_TRUE(std::equal(expected.end() - blocks, expected.end(), found.end() - blocks));
 	}
+}
+
+TEST(Split, facesKnowTheBlocksOnTheirOwnSides) {
+	Mesh cut = flatSheet(5, {-1, 2, -1, 2}, 0.25);
+	for (std::size_t t = 0; t < cut.triangles.size(); t += 3) {
+		std::swap(cut.triangles[t][1], cut.triangles[t][2]);
+	}
+	const SplitRun r = lawful(unitBox, cut);
+	ASSERT_EQ(r.blocks.size(), 2u);
+	const int lower = r.split.blocks.all[0].volume < 0.5 ? 0 : 1;
+	const SplitMesh& mesh = r.surfaces[1];
+	std::size_t inside = 0;
+	for (std::size_t f = 0; f < mesh.triangles.size(); ++f) {
+		std::array<Point, 3> c{};
+		for (std::size_t i = 0; i < 3; ++i) {
+			c[i] = mesh.points[mesh.triangles[f][i]];
+		}
+		const bool isUp =
+		    (c[1][0] - c[0][0]) * (c[2][1] - c[0][1]) > (c[1][1] - c[0][1]) * (c[2][0] - c[0][0]);
+		const std::array<std::int32_t, 2> upAndDown{1 - lower, lower};
+		if (mesh.beside[f][0] != kNoBlock) {
+			++inside;
+			EXPECT_EQ(mesh.beside[f][0], upAndDown[isUp ? 0 : 1]);
+			EXPECT_EQ(mesh.beside[f][1], upAndDown[isUp ? 1 : 0]);
+		}
+	}
+	EXPECT_GT(inside, 10u);
 }
 
 // Random squares on grids of two sizes: every kind of contact between open surfaces that are no
@@ -805,6 +870,30 @@ TEST(Split, randomSquaresMakeTheCountedBlocks) {
 		}
 	}
 	EXPECT_GT(blocks, 100u);
+}
+
+TEST(Split, idsDoNotDependOnNumberingWhereCoordinatesTie) {
+	std::mt19937 random(17);
+	for (int round = 0; round < 3; ++round) {
+		Cells cells;
+		const Mesh a = randomSquares(1, 0.5, random, cells);
+		expectInvariant(a, randomSquares(2, 0.7, random, cells), random);
+	}
+	// Two solids on both sides of the smallest face of all.
+	Mesh upper, lower;
+	upper.points = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {2, 0, 1}};
+	upper.triangles = {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}};
+	lower = turned(upper);
+	lower.points[3][2] = -1;
+	expectInvariant(upper, lower, random);
+	// A sheet whose faces are turned at random.
+	Mesh patchwork = flatSheet(6, {-1, 2, -1, 2}, 0.25);
+	for (auto& t : patchwork.triangles) {
+		if (random() % 2 == 0) {
+			std::swap(t[1], t[2]);
+		}
+	}
+	expectInvariant(unitBox, patchwork, random);
 }
 
 }  // namespace
