@@ -28,4 +28,27 @@ private:
 	std::map<std::string, int> values_;
 };
 
+// \param parameters any host's list of parameters
+// \param layerOf    the id of the layer that a parameter of this name names, or kNoLayer
+template <class HostParameters, class LayerOf>
+ParameterValues readValues(const FilterDefinition& filter, const HostParameters& parameters,
+                           LayerOf layerOf) {
+	ParameterValues values;
+	for (const ParameterDefinition& definition : filter.parameters) {
+		const char* name = definition.name;
+		switch (definition.kind) {
+		case ParameterKind::Layer:
+			values.set(name, layerOf(name));
+			break;
+		case ParameterKind::Bool:
+			values.set(name, parameters.getBool(name) ? 1 : 0);
+			break;
+		case ParameterKind::Int:
+			values.set(name, parameters.getInt(name));
+			break;
+		}
+	}
+	return values;
+}
+
 }  // namespace index_boolean

@@ -44,25 +44,9 @@ void addParameter(const ParameterDefinition& definition, MeshDocument& document,
 	}
 }
 
-int valueOf(const ParameterDefinition& definition, const RichParameterList& parameters) {
-	switch (definition.kind) {
-	case ParameterKind::Layer: {
-		const MeshModel* layer = parameters.getMesh(definition.name);
-		return layer != nullptr ? layer->id() : ParameterValues::kNoLayer;
-	}
-	case ParameterKind::Bool:
-		return parameters.getBool(definition.name) ? 1 : 0;
-	case ParameterKind::Int:
-		break;
-	}
-	return parameters.getInt(definition.name);
-}
-
-ParameterValues readValues(const FilterDefinition& filter, const RichParameterList& parameters) {
-	ParameterValues values;
-	for (const ParameterDefinition& definition : filter.parameters)
-		values.set(definition.name, valueOf(definition, parameters));
-	return values;
+int layerOf(const char* name, const RichParameterList& parameters) {
+	const MeshModel* layer = parameters.getMesh(name);
+	return layer != nullptr ? layer->id() : ParameterValues::kNoLayer;
 }
 
 }  // namespace
@@ -112,8 +96,9 @@ bool FilterIndexBoolean::applyFilter(QAction* action, MeshDocument& document,
                                      vcg::CallBackPos* callback) {
 	try {
 		const FilterDefinition& filter = definitionOf(ID(action));
-		const FilterOutput output =
-		    runFilter(filter.id, readValues(filter, parameters), document, callback);
+		const ParameterValues values = readValues(
+		    filter, parameters, [&](const char* name) { return layerOf(name, parameters); });
+		const FilterOutput output = runFilter(filter.id, values, document, callback);
 		for (const std::string& message : output.messages)
 			Log(message);
 		return true;

@@ -43,23 +43,8 @@ void addParameter(const ParameterDefinition& definition, const MeshDocument& doc
 	}
 }
 
-int valueOf(const ParameterDefinition& definition, const RichParameterList& parameters) {
-	switch (definition.kind) {
-	case ParameterKind::Layer:
-		return static_cast<int>(parameters.getMeshId(definition.name));
-	case ParameterKind::Bool:
-		return parameters.getBool(definition.name) ? 1 : 0;
-	case ParameterKind::Int:
-		break;
-	}
-	return parameters.getInt(definition.name);
-}
-
-ParameterValues readValues(const FilterDefinition& filter, const RichParameterList& parameters) {
-	ParameterValues values;
-	for (const ParameterDefinition& definition : filter.parameters)
-		values.set(definition.name, valueOf(definition, parameters));
-	return values;
+int layerOf(const char* name, const RichParameterList& parameters) {
+	return static_cast<int>(parameters.getMeshId(name));
 }
 
 }  // namespace
@@ -119,8 +104,9 @@ std::map<std::string, QVariant> FilterIndexBoolean::applyFilter(const QAction* a
 	try {
 		postConditionMask = static_cast<unsigned int>(postCondition(action));
 		const FilterDefinition& filter = definitionOf(ID(action));
-		const FilterOutput output =
-		    runFilter(filter.id, readValues(filter, parameters), document, callback);
+		const ParameterValues values = readValues(
+		    filter, parameters, [&](const char* name) { return layerOf(name, parameters); });
+		const FilterOutput output = runFilter(filter.id, values, document, callback);
 		for (const std::string& message : output.messages)
 			log(message);
 		return output.map;

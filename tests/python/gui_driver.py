@@ -75,7 +75,8 @@ class Screen:
         """With few enough colours for a picture in the documents."""
         time.sleep(1)
         subprocess.run(
-            ["import", "-window", "root", "+dither", "-colors", "128", f"png8:{path}"], env=self.environment, check=True
+            ["import", "-window", "root", "+dither", "-colors", "128", f"png8:{path}"],
+            env=self.environment, check=True,
         )
 
 
