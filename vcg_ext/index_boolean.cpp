@@ -201,16 +201,35 @@ Status extractBlock(const Arrangement& arrangement, Operation operation, Monitor
 	});
 }
 
-Status split(const Arrangement& arrangement, Monitor& monitor, Split& out) {
+namespace {
+
+Status findParts(const Arrangement& arrangement, bool alsoBlocks, Monitor& monitor, Split& out) {
 	return guarded([&] {
 		out = Split{};
 		Stages stages(monitor, out.stageTimes);
 		stages.run("sub_surfaces", 0.7,
 		           [&] { return findSubSurfaces(arrangement, monitor, out.surfaces); });
-		stages.run("sub_blocks", 0.3,
-		           [&] { return findSubBlocks(arrangement, out.surfaces, monitor, out.blocks); });
+		if (alsoBlocks) {
+			stages.run("sub_blocks", 0.3, [&] {
+				return findSubBlocks(arrangement, out.surfaces, monitor, out.blocks);
+			});
+		}
 		return stages.status();
 	});
+}
+
+}  // namespace
+
+Status split(const Arrangement& arrangement, Monitor& monitor, Split& out) {
+	return findParts(arrangement, true, monitor, out);
+}
+
+Status splitSurfaces(const Arrangement& arrangement, Monitor& monitor, Split& out) {
+	return findParts(arrangement, false, monitor, out);
+}
+
+Status extractCurve(const Arrangement& arrangement, Monitor& monitor, CurveLines& out) {
+	return guarded([&] { return drawCurve(arrangement, monitor, out); });
 }
 
 Status extractSubSurfaces(const Arrangement& arrangement, const Split& split, std::size_t operand,

@@ -10,6 +10,7 @@
 
 #include "arrangement.h"
 #include "blocks.h"
+#include "curve_lines.h"
 #include "measure.h"
 #include "mesh_arrays.h"
 #include "monitor.h"
@@ -53,6 +54,13 @@ struct Split {
 //         in a way that shows
 // Complexity: O(n + k log k) for n faces, k of them at the curve.
 Status split(const Arrangement& arrangement, Monitor& monitor, Split& out);
+
+// Finds the sub-surfaces alone: out.blocks stays empty.
+// \return Ok, Cancelled, OutOfMemory, InternalError
+Status splitSurfaces(const Arrangement& arrangement, Monitor& monitor, Split& out);
+
+// The loops as polylines; see curve_lines.h. \return Ok, Cancelled, OutOfMemory
+Status extractCurve(const Arrangement& arrangement, Monitor& monitor, CurveLines& out);
 
 // The mesh of all sub-surfaces of one operand (0 or 1), and the boundary of one sub-block; see
 // split_meshes.h. \return Ok, Cancelled, OutOfMemory, InternalError

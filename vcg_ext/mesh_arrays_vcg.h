@@ -190,6 +190,7 @@ Status appendOperand(const TriMesh& mesh,
 }
 
 using IndexedTriangle = std::array<std::uint32_t, 3>;
+using IndexedEdge = std::array<std::uint32_t, 2>;
 
 // A power of two that brings the largest coordinate near 1, so that products of coordinates neither
 // overflow nor vanish; 1 if there is no coordinate but zero.
@@ -328,6 +329,19 @@ Status fillFauxEdges(const std::vector<std::uint8_t>& faux, Monitor& monitor, Tr
 		}
 	};
 	return parallelFor(faux.size(), kElementGrain, 0, monitor, write);
+}
+
+// Adds the edges of polylines between a mesh's vertices.
+// \param edges of indices into the mesh's vertices
+// Throws std::bad_alloc.
+template <class TriMesh>
+void addEdges(const std::vector<IndexedEdge>& edges, TriMesh& out) {
+	auto next = vcg::tri::Allocator<TriMesh>::AddEdges(out, edges.size());
+	for (const IndexedEdge& edge : edges) {
+		next->V(0) = &out.vert[edge[0]];
+		next->V(1) = &out.vert[edge[1]];
+		++next;
+	}
 }
 
 }  // namespace index_boolean
