@@ -63,8 +63,13 @@ Status runBoolean(MeshArrays input, const BooleanRequest& request, Progress& pro
 	if (!status.ok())
 		return status;
 	result.stageTimes.push_back({"audit", auditTime.seconds()});
+
+	if (request.curves) {
+		Monitor drawing = progress.nextPhase(kCurvesShare);
+		status = extractCurve(arrangement, drawing, result.curves);
+	}
 	result.seconds = total.seconds();
-	return {};
+	return status;
 }
 
 }  // namespace index_boolean

@@ -16,6 +16,7 @@ namespace index_boolean {
 struct BooleanRequest {
 	Options options;
 	std::vector<Operation> operations;  // in the order of the layers
+	bool curves = false;                // and the curve as polylines
 };
 
 struct BooleanResult {
@@ -24,6 +25,7 @@ struct BooleanResult {
 	LoopCounts loopCounts;
 	std::vector<Block> blocks;  // one for each operation requested
 	Audit audit;                // of these blocks
+	CurveLines curves;          // if requested
 	std::vector<StageTime> stageTimes;
 	double seconds = 0;  // from arrays to arrays
 };
@@ -36,7 +38,7 @@ Status runBoolean(MeshArrays input, const BooleanRequest& request, Progress& pro
                   BooleanResult& result);
 
 // What the phases take of the progress bar; the rest is the adapter's.
-constexpr double kArrangeShare = 0.55, kBlocksShare = 0.15, kAuditShare = 0.1;
-constexpr double kRunShare = kArrangeShare + kBlocksShare + kAuditShare;
+constexpr double kArrangeShare = 0.55, kBlocksShare = 0.14, kAuditShare = 0.1, kCurvesShare = 0.01;
+constexpr double kRunShare = kArrangeShare + kBlocksShare + kAuditShare + kCurvesShare;
 
 }  // namespace index_boolean

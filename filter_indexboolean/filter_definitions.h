@@ -25,7 +25,11 @@ struct ParameterDefinition {
 	const char* help;
 };
 
-enum class FilterId { GenerateIndexBoolean };
+enum class FilterId {
+	GenerateIndexBoolean,
+	GenerateIndexBooleanSplit,
+	GenerateIndexBooleanCurves,
+};
 
 struct FilterDefinition {
 	FilterId id;
@@ -66,6 +70,20 @@ std::string nameInLabel(std::string label);
 
 // The label of a block's layer: "A union B", "B minus A".
 std::string blockLabel(Operation operation, const std::string& first, const std::string& second);
+
+// The pieces that a split can give, in the order of the new layers.
+enum class PieceKind : std::uint8_t { SubSurfacesOfFirst, SubSurfacesOfSecond, SubBlocks };
+constexpr int kPieceKindCount = 3;
+
+// Their parameters and result keys.
+constexpr std::array<const char*, kPieceKindCount> kPieceNames{
+    {"sub_surfaces_first", "sub_surfaces_second", "sub_blocks"}};
+
+// The label of a layer of pieces: "A cut by B", "B cut by A", "A blocks B".
+std::string splitLabel(PieceKind kind, const std::string& first, const std::string& second);
+
+// The label of the polylines' layer: "A curves B".
+std::string curvesLabel(const std::string& first, const std::string& second);
 
 extern const char* const kPluginName;
 extern const char* const kVendor;

@@ -5,6 +5,8 @@
 #include "filter_run.h"
 
 #include "generate_index_boolean.h"
+#include "generate_index_boolean_curves.h"
+#include "generate_index_boolean_split.h"
 
 namespace index_boolean {
 
@@ -13,6 +15,10 @@ FilterOutput runFilter(FilterId filter, const ParameterValues& values, MeshDocum
 	switch (filter) {
 	case FilterId::GenerateIndexBoolean:
 		return generateIndexBoolean(values, document, callback);
+	case FilterId::GenerateIndexBooleanSplit:
+		return generateIndexBooleanSplit(values, document, callback);
+	case FilterId::GenerateIndexBooleanCurves:
+		return generateIndexBooleanCurves(values, document, callback);
 	}
 	throw std::logic_error("no such filter");
 }

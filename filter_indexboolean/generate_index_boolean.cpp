@@ -5,6 +5,7 @@
 #include "generate_index_boolean.h"
 
 #include "boolean_run.h"
+#include "curve_layer.h"
 #include "layers.h"
 #include "messages.h"
 #include "operand_layers.h"
@@ -19,15 +20,10 @@ namespace {
 constexpr FilterId kFilter = FilterId::GenerateIndexBoolean;
 
 Options readOptions(const ParameterValues& values) {
-	Options options;
-	options.octreeMaxDepth = numberInRange(kFilter, "octree_max_depth", values);
-	options.octreeLeafSize = numberInRange(kFilter, "octree_leaf_size", values);
-	options.outputScalar =
-	    sizeof(Scalarm) == sizeof(float) ? OutputScalar::Float : OutputScalar::Double;
+	Options options = readCommonOptions(kFilter, values);
 	options.mergeFragments = values.getBool("merge_fragments");
 	options.mergeCoplanar = values.getBool("merge_coplanar");
 	options.weldNonManifold = values.getBool("weld_non_manifold");
-	options.checkSelfIntersections = values.getBool("check_self_intersections");
 	return options;
 }
 
@@ -42,13 +38,21 @@ std::vector<Operation> readOperations(const ParameterValues& values) {
 	return operations;
 }
 
-std::vector<QString> blockLabels(const std::vector<Operation>& operations,
-                                 const LayerNames& names) {
-	std::vector<QString> labels;
-	for (const Operation operation : operations)
-		labels.push_back(
-		    QString::fromStdString(blockLabel(operation, names[0].label, names[1].label)));
-	return labels;
+std::vector<LayerContent> contentsOf(const BooleanResult& result, const BooleanRequest& request,
+                                     const OperandArrays& read, const LayerNames& names) {
+	std::vector<LayerContent> contents;
+	for (const Block& block : result.blocks) {
+		LayerContent content;
+		content.label = QString::fromStdString(
+		    blockLabel(block.operation, names[0].label, names[1].label));
+		content.points = &block.points;
+		content.triangles = &block.triangles;
+		content.faux = &block.faux;
+		contents.push_back(std::move(content));
+	}
+	if (request.curves)
+		contents.push_back(curveContent(result.curves, read, names));
+	return contents;
 }
 
 std::vector<int> idsOf(const std::vector<MeshModel*>& layers) {
@@ -58,23 +62,17 @@ std::vector<int> idsOf(const std::vector<MeshModel*>& layers) {
 	return ids;
 }
 
-std::vector<std::string> findings(const BooleanResult& result, const AdapterSeconds& seconds,
-                                  const LayerNames& names) {
-	std::vector<std::string> messages;
-	for (std::size_t k = 0; k < names.size(); ++k) {
-		if (result.turned[k])
-			messages.push_back(turnedMessage(names[k]));
-		const std::size_t once = result.duplicates.takenOnce[k];
-		const std::size_t cancelled = result.duplicates.cancelledPairs[k];
-		if (once + cancelled > 0)
-			messages.push_back(duplicatesMessage(names[k], once, cancelled));
-	}
+std::vector<std::string> findings(const BooleanResult& result, bool curves,
+                                  const AdapterSeconds& seconds, const LayerNames& names) {
+	std::vector<std::string> messages = operandMessages(result.turned, result.duplicates, names);
 	for (std::size_t i = 0; i < result.blocks.size(); ++i) {
 		const Block& block = result.blocks[i];
 		messages.push_back(block.triangles.empty()
 		                       ? emptyBlockMessage(block.operation, names)
 		                       : blockMessage(block, result.audit.blocks[i], names));
 	}
+	if (curves)
+		messages.push_back(curvesMessage(result.curves, result.loopCounts, names));
 	messages.push_back(timeMessage(seconds.total, result.seconds));
 	return messages;
 }
@@ -85,7 +83,8 @@ FilterOutput generateIndexBoolean(const ParameterValues& values, MeshDocument& d
                                   HostCallback* callback) {
 	const Stopwatch total;
 	const OperandLayers operands = findOperandLayers(kFilter, values, document);
-	const BooleanRequest request{readOptions(values), readOperations(values)};
+	const BooleanRequest request{readOptions(values), readOperations(values),
+	                             values.getBool("curves")};
 	Progress progress(progressCallback(callback));
 	AdapterSeconds seconds{};
 
@@ -100,12 +99,13 @@ FilterOutput generateIndexBoolean(const ParameterValues& values, MeshDocument& d
 
 	const Stopwatch writing;
 	std::vector<MeshModel*> layers;
-	const std::vector<QString> labels = blockLabels(request.operations, operands.names);
-	refuseUnlessOk(addLayers(result.blocks, labels, progress, document, layers), operands.names);
+	const std::vector<LayerContent> contents = contentsOf(result, request, read, operands.names);
+	refuseUnlessOk(addLayers(contents, progress, document, layers), operands.names);
 	seconds.writeLayers = writing.seconds();
 
 	seconds.total = total.seconds();
-	return {resultMap(result, idsOf(layers), seconds), findings(result, seconds, operands.names)};
+	return {resultMap(result, idsOf(layers), seconds),
+	        findings(result, request.curves, seconds, operands.names)};
 }
 
 }  // namespace index_boolean

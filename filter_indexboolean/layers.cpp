@@ -49,30 +49,75 @@ private:
 	std::vector<MeshModel*> layers_;
 };
 
-std::size_t elementCount(const std::vector<Block>& blocks) {
+template <class Elements>
+std::size_t sizeOf(const Elements* elements) {
+	return elements == nullptr ? 0 : elements->size();
+}
+
+std::size_t elementCount(const std::vector<LayerContent>& contents) {
 	std::size_t count = 0;
-	for (const Block& block : blocks)
-		count += block.points.size() + block.triangles.size();
+	for (const LayerContent& content : contents)
+		count += sizeOf(content.points) + sizeOf(content.triangles) + sizeOf(content.edges);
 	return count;
+}
+
+void writeVertexAttribute(const ScalarAttribute& attribute, CMeshO& mesh) {
+	auto handle =
+	    vcg::tri::Allocator<CMeshO>::AddPerVertexAttribute<Scalarm>(mesh, attribute.name);
+	for (std::size_t i = 0; i < attribute.values.size(); ++i)
+		handle[i] = static_cast<Scalarm>(attribute.values[i]);
+}
+
+void writeFaceAttribute(const ScalarAttribute& attribute, CMeshO& mesh) {
+	auto handle = vcg::tri::Allocator<CMeshO>::AddPerFaceAttribute<Scalarm>(mesh, attribute.name);
+	for (std::size_t i = 0; i < attribute.values.size(); ++i)
+		handle[i] = static_cast<Scalarm>(attribute.values[i]);
+}
+
+void writeFaceColours(const std::vector<vcg::Color4b>& colours, MeshModel& layer) {
+	if (colours.empty())
+		return;
+	layer.updateDataMask(MeshModel::MM_FACECOLOR);
+	for (std::size_t i = 0; i < colours.size(); ++i)
+		layer.cm.face[i].C() = colours[i];
+}
+
+// Fills a layer that has room for the content's vertices and faces.
+Status fillLayer(const LayerContent& content, Monitor& monitor, MeshModel& layer) {
+	static const std::vector<IndexedTriangle> kNoTriangles;
+	Status status =
+	    fillSurface(*content.points, content.triangles != nullptr ? *content.triangles : kNoTriangles,
+	                monitor, layer.cm);
+	if (status.ok() && sizeOf(content.faux) > 0) {
+		status = fillFauxEdges(*content.faux, monitor, layer.cm);
+		layer.updateDataMask(MeshModel::MM_POLYGONAL);
+	}
+	if (!status.ok())
+		return status;
+	if (content.edges != nullptr)
+		addEdges(*content.edges, layer.cm);
+	for (const ScalarAttribute& attribute : content.vertexAttributes)
+		writeVertexAttribute(attribute, layer.cm);
+	for (const ScalarAttribute& attribute : content.faceAttributes)
+		writeFaceAttribute(attribute, layer.cm);
+	writeFaceColours(content.faceColours, layer);
+	return status;
 }
 
 // Fills the layers, which have no elements yet. Making room is more than half of the work, since
 // memory is touched for the first time: of large layers, several are made room in at the same time.
-Status fillLayers(const std::vector<Block>& blocks, Monitor& monitor,
+Status fillLayers(const std::vector<LayerContent>& contents, Monitor& monitor,
                   const std::vector<MeshModel*>& layers) {
-	const std::size_t grain = elementCount(blocks) > kElementGrain ? 1 : blocks.size();
+	const std::size_t grain = elementCount(contents) > kElementGrain ? 1 : contents.size();
 	const auto allocate = [&](std::size_t begin, std::size_t end) {
-		for (std::size_t i = begin; i < end; ++i)
-			allocateSurface(blocks[i].points.size(), blocks[i].triangles.size(), layers[i]->cm);
-	};
-	Status status = parallelFor(blocks.size(), grain, 0, monitor, allocate);
-	for (std::size_t i = 0; i < blocks.size() && status.ok(); ++i) {
-		status = fillSurface(blocks[i].points, blocks[i].triangles, monitor, layers[i]->cm);
-		if (status.ok() && !blocks[i].faux.empty()) {
-			status = fillFauxEdges(blocks[i].faux, monitor, layers[i]->cm);
-			layers[i]->updateDataMask(MeshModel::MM_POLYGONAL);
+		for (std::size_t i = begin; i < end; ++i) {
+			allocateSurface(sizeOf(contents[i].points), sizeOf(contents[i].triangles),
+			                layers[i]->cm);
 		}
-	}
+	};
+	Status status = parallelFor(contents.size(), grain, 0, monitor, allocate);
+	for (std::size_t i = 0; i < contents.size() && status.ok(); ++i)
+		status = fillLayer(contents[i], monitor, *layers[i]);
 	return status;
 }
 
@@ -106,15 +151,15 @@ void selectFaces(const std::vector<std::uint32_t>& faces, const LiveElements& li
 	mesh.sfn = static_cast<int>(vcg::tri::UpdateSelection<CMeshO>::FaceCount(mesh));
 }
 
-Status addLayers(const std::vector<Block>& blocks, const std::vector<QString>& labels,
-                 Progress& progress, MeshDocument& document, std::vector<MeshModel*>& added) {
+Status addLayers(const std::vector<LayerContent>& contents, Progress& progress,
+                 MeshDocument& document, std::vector<MeshModel*>& added) {
 	try {
 		Monitor monitor = progress.nextPhase(kWriteShare);
 		monitor.beginStage("writing layers", 0, 1);
 		NewLayers layers(document);
-		for (const QString& label : labels)
-			layers.add(label);
-		const Status status = fillLayers(blocks, monitor, layers.layers());
+		for (const LayerContent& content : contents)
+			layers.add(content.label);
+		const Status status = fillLayers(contents, monitor, layers.layers());
 		if (status.ok()) {
 			layers.keep();
 			added = layers.layers();

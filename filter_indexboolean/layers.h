@@ -7,7 +7,6 @@
 
 #include "progress.h"
 
-#include <vcg_ext/blocks.h>
 #include <vcg_ext/mesh_arrays_vcg.h>
 
 #include <host_document.h>
@@ -31,12 +30,28 @@ Status readLayers(const std::array<MeshModel*, 2>& layers, Progress& progress, O
 void selectFaces(const std::vector<std::uint32_t>& faces, const LiveElements& live,
                  MeshModel& layer);
 
-// Adds a layer for each block, in order, and makes the first one current. Unless Ok, the document
+// A number for each vertex or each face: the host's scalar attribute of that name.
+struct ScalarAttribute {
+	const char* name;
+	std::vector<std::int32_t> values;
+};
+
+// What a new layer holds: a surface, or polylines. The arrays are borrowed; nullptr: there is none.
+struct LayerContent {
+	QString label;  // the host appends a number to a label that is taken
+	const std::vector<Point>* points = nullptr;
+	const std::vector<IndexedTriangle>* triangles = nullptr;
+	const std::vector<std::uint8_t>* faux = nullptr;  // per face, as in MeshArrays
+	const std::vector<IndexedEdge>* edges = nullptr;
+	std::vector<ScalarAttribute> vertexAttributes, faceAttributes;
+	std::vector<vcg::Color4b> faceColours;  // empty: the faces have none
+};
+
+// Adds a layer for each content, in order, and makes the first one current. Unless Ok, the document
 // is as before.
-// \param labels one for each block; the host appends a number to a label that is taken
-// \param added  replaced: the new layers, owned by the document
+// \param added replaced: the new layers, owned by the document
 // \return Ok, Cancelled, OutOfMemory
-Status addLayers(const std::vector<Block>& blocks, const std::vector<QString>& labels,
-                 Progress& progress, MeshDocument& document, std::vector<MeshModel*>& added);
+Status addLayers(const std::vector<LayerContent>& contents, Progress& progress,
+                 MeshDocument& document, std::vector<MeshModel*>& added);
 
 }  // namespace index_boolean

@@ -169,9 +169,71 @@ std::string blockMessage(const Block& block, const BlockMeasure& measure,
 	       ", area " + decimal(measure.area) + ".";
 }
 
+std::string curvesMessage(const CurveLines& curves, const LoopCounts& counts,
+                          const LayerNames& layers) {
+	const std::string label = "\"" + curvesLabel(layers[0].label, layers[1].label) + "\"";
+	if (curves.lines.empty())
+		return label + " is empty: the layers do not meet in a line.";
+	double length = 0;
+	for (const CurveLine& line : curves.lines)
+		length += line.length;
+	return label + ": " + counted(curves.lines.size(), "loop") + " (" +
+	       std::to_string(counts.open) + " open, " + std::to_string(counts.hardClosed) +
+	       " hard-closed, " + std::to_string(counts.softClosed) + " soft-closed), length " +
+	       decimal(length) + ".";
+}
+
+std::string noPiecesRequestedMessage() {
+	std::string names;
+	for (const char* name : kPieceNames)
+		names += std::string(names.empty() ? "" : ", ") + name;
+	return "No piece is asked for. Set at least one of these to true: " + names + ".";
+}
+
+std::string subSurfacesMessage(const SplitResult& result, std::size_t operand,
+                               const LayerNames& layers) {
+	std::size_t shared = 0, oneSided = 0, separating = 0;
+	double area = 0;
+	for (const SubSurfaceId id : result.split.surfaces.ofOperand[operand]) {
+		const SubSurface& surface = at(result.split.surfaces.all, id);
+		shared += surface.isPublic() ? 1 : 0;
+		oneSided += surface.oneSided ? 1 : 0;
+		separating += at(result.split.blocks.separates, id) != 0 ? 1 : 0;
+		area += surface.area;
+	}
+	const std::size_t count = result.surfaceCount(operand);
+	const PieceKind kind =
+	    operand == 0 ? PieceKind::SubSurfacesOfFirst : PieceKind::SubSurfacesOfSecond;
+	return "\"" + splitLabel(kind, layers[0].label, layers[1].label) +
+	       "\": " + counted(count, "sub-surface") + " (" + std::to_string(count - shared) +
+	       " private, " + std::to_string(shared) + " public; " + std::to_string(separating) +
+	       " separating" +
+	       (oneSided > 0 ? ", " + std::to_string(oneSided) + " one-sided" : std::string()) +
+	       "), area " + decimal(area) + ".";
+}
+
+std::string subBlocksMessage(const SplitResult& result, const LayerNames& layers) {
+	const std::string label =
+	    "\"" + splitLabel(PieceKind::SubBlocks, layers[0].label, layers[1].label) + "\"";
+	if (result.split.blocks.all.empty())
+		return label + " is empty: the layers bound no part of space.";
+	double volume = 0;
+	for (const SubBlock& block : result.split.blocks.all)
+		volume += block.volume;
+	return label + ": " + counted(result.split.blocks.all.size(), "sub-block") + ", volume " +
+	       decimal(volume) + ".";
+}
+
+std::string tooManyLayersMessage(std::size_t pieces, std::size_t maxLayers) {
+	return "There are " + std::to_string(pieces) + " pieces, more than max_layers (" +
+	       std::to_string(maxLayers) +
+	       "): all pieces of a kind are in one layer, told apart by the attributes sub_surface and "
+	       "sub_block and by their colours.";
+}
+
 std::string timeMessage(double totalSeconds, double coreSeconds) {
 	return "Index Boolean took " + decimal(totalSeconds) + " s, " + decimal(coreSeconds) +
-	       " s of it for the arrangement, the blocks and their audit.";
+	       " s of it without reading and writing layers.";
 }
 
 std::string emptyBlockMessage(Operation operation, const LayerNames& layers) {

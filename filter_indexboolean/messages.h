@@ -6,7 +6,9 @@
 #pragma once
 
 #include "filter_definitions.h"
+#include "split_run.h"
 
+#include <vcg_ext/curve_lines.h>
 #include <vcg_ext/measure.h>
 #include <vcg_ext/status.h>
 
@@ -44,6 +46,20 @@ std::string duplicatesMessage(const LayerName& layer, std::size_t takenOnce,
 
 // What a block is like, for those who see the log and not the result map.
 std::string blockMessage(const Block& block, const BlockMeasure& measure, const LayerNames& layers);
+
+// How many loops the curve has, of which kinds, and how long it is.
+std::string curvesMessage(const CurveLines& curves, const LoopCounts& counts,
+                          const LayerNames& layers);
+
+std::string noPiecesRequestedMessage();
+
+// How many pieces there are and of which kinds.
+std::string subSurfacesMessage(const SplitResult& result, std::size_t operand,
+                               const LayerNames& layers);
+std::string subBlocksMessage(const SplitResult& result, const LayerNames& layers);
+
+// Why the pieces have not got a layer each.
+std::string tooManyLayersMessage(std::size_t pieces, std::size_t maxLayers);
 
 // How long the run took: as a whole, and its arithmetic.
 std::string timeMessage(double totalSeconds, double coreSeconds);

@@ -43,6 +43,16 @@ int numberInRange(FilterId filter, const char* name, const ParameterValues& valu
 	return number;
 }
 
+Options readCommonOptions(FilterId filter, const ParameterValues& values) {
+	Options options;
+	options.octreeMaxDepth = numberInRange(filter, "octree_max_depth", values);
+	options.octreeLeafSize = numberInRange(filter, "octree_leaf_size", values);
+	options.outputScalar =
+	    sizeof(Scalarm) == sizeof(float) ? OutputScalar::Float : OutputScalar::Double;
+	options.checkSelfIntersections = values.getBool("check_self_intersections");
+	return options;
+}
+
 void refuseUnlessOk(const Status& status, const LayerNames& names) {
 	if (!status.ok())
 		throw Refusal(refusalMessage(status, names));
@@ -52,6 +62,21 @@ void selectDefect(const Status& status, const OperandArrays& read, const Operand
 	const std::size_t operand = status.operand == 1 ? 1 : 0;
 	if (!status.faces.empty())
 		selectFaces(status.faces, read.faces[operand], *operands.layers[operand]);
+}
+
+std::vector<std::string> operandMessages(const std::array<bool, 2>& turned,
+                                         const DuplicateFaces& duplicates,
+                                         const LayerNames& names) {
+	std::vector<std::string> messages;
+	for (std::size_t k = 0; k < names.size(); ++k) {
+		if (turned[k])
+			messages.push_back(turnedMessage(names[k]));
+		const std::size_t once = duplicates.takenOnce[k];
+		const std::size_t cancelled = duplicates.cancelledPairs[k];
+		if (once + cancelled > 0)
+			messages.push_back(duplicatesMessage(names[k], once, cancelled));
+	}
+	return messages;
 }
 
 }  // namespace index_boolean

@@ -9,7 +9,11 @@
 #include "parameter_values.h"
 #include "refusal.h"
 
+#include <vcg_ext/arrangement.h>
 #include <vcg_ext/status.h>
+
+#include <string>
+#include <vector>
 
 namespace index_boolean {
 
@@ -25,10 +29,19 @@ OperandLayers findOperandLayers(FilterId filter, const ParameterValues& values,
 // The parameter's number; throws Refusal if it is out of the range of its definition.
 int numberInRange(FilterId filter, const char* name, const ParameterValues& values);
 
+// The options that every filter has: the search for self-intersections and the octree's limits, and
+// the host's scalar.
+Options readCommonOptions(FilterId filter, const ParameterValues& values);
+
 // Throws Refusal with the status's sentence.
 void refuseUnlessOk(const Status& status, const LayerNames& names);
 
 // Leaves the status's faces selected in its layer, if it has any.
 void selectDefect(const Status& status, const OperandArrays& read, const OperandLayers& operands);
+
+// What the core has changed in the operands, for the log.
+std::vector<std::string> operandMessages(const std::array<bool, 2>& turned,
+                                         const DuplicateFaces& duplicates,
+                                         const LayerNames& names);
 
 }  // namespace index_boolean

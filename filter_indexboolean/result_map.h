@@ -1,11 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The Index Boolean authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// in: a run's result and the ids of its layers; out: the map that a filter returns. Only bool, int
-// and double: hosts drop every other type without a word.
+// in: a run's result and the ids of its layers; out: the map that a filter returns. Only bool, int,
+// double and the host's list of numbers: hosts drop every other type without a word.
 #pragma once
 
 #include "boolean_run.h"
+#include "curves_run.h"
+#include "filter_definitions.h"
+#include "split_run.h"
 
 #include <QVariant>
 
@@ -22,8 +25,16 @@ struct AdapterSeconds {
 	double readLayers, writeLayers, total;
 };
 
-// \param layerIds the id of each block's layer, in the order of result.blocks
+// \param layerIds the id of each block's layer, in the order of result.blocks; then the curves'
 ResultMap resultMap(const BooleanResult& result, const std::vector<int>& layerIds,
                     const AdapterSeconds& seconds);
+
+// The ids of the layers of each kind of pieces; none of what was not asked for.
+using PieceLayers = std::array<std::vector<int>, kPieceKindCount>;
+
+ResultMap resultMap(const SplitResult& result, const PieceLayers& layerIds,
+                    const AdapterSeconds& seconds);
+
+ResultMap resultMap(const CurvesResult& result, int layerId, const AdapterSeconds& seconds);
 
 }  // namespace index_boolean

@@ -6,6 +6,8 @@
 
 #include <common/meshmodel.h>
 
+#include <QVariant>
+
 #include <vector>
 
 namespace index_boolean {
@@ -24,5 +26,8 @@ inline MeshModel* findLayer(MeshDocument& document, int id) { return document.ge
 inline void deleteLayer(MeshDocument& document, const MeshModel& layer) {
 	document.delMesh(document.getMesh(layer.id()));
 }
+
+// A list of numbers in a filter's result; this host shows no results.
+inline QVariant listValue(const std::vector<double>&) { return {}; }
 
 }  // namespace index_boolean

@@ -5,6 +5,9 @@
 #pragma once
 
 #include <common/ml_document/mesh_document.h>
+#include <common/plugins/interfaces/filter_plugin.h>
+
+#include <QVariant>
 
 #include <vector>
 
@@ -25,6 +28,13 @@ inline MeshModel* findLayer(MeshDocument& document, int id) {
 
 inline void deleteLayer(MeshDocument& document, const MeshModel& layer) {
 	document.delMesh(static_cast<unsigned int>(layer.id()));
+}
+
+// A list of numbers in a filter's result: a numpy array in Python.
+inline QVariant listValue(const std::vector<double>& numbers) {
+	const auto size = static_cast<Eigen::Index>(numbers.size());
+	return QVariant::fromValue(
+	    Eigen::VectorXd(Eigen::Map<const Eigen::VectorXd>(numbers.data(), size)));
 }
 
 }  // namespace index_boolean

@@ -3,6 +3,7 @@
 //
 // What users read: sentences, labels, parameters.
 #include <messages.h>
+#include <split_layers.h>
 
 #include <gtest/gtest.h>
 
@@ -110,6 +111,57 @@ TEST(Messages, theLogTellsFacesComponentsVolumeAndArea) {
 	EXPECT_EQ(
 	    blockMessage(block, measure, kLayers),
 	    "\"bunny minus 50% cube\": 12 faces, 1 component, volume 1.23457e+06, area 0.125.");
+}
+
+TEST(Messages, curvesAreCountedByKind) {
+	CurveLines curves;
+	curves.lines.push_back({LoopKind::Open, 0, 2, false, 1.5});
+	curves.lines.push_back({LoopKind::SoftClosed, 2, 2, false, 2});
+	LoopCounts counts;
+	counts.open = counts.softClosed = 1;
+	EXPECT_EQ(curvesMessage(curves, counts, kLayers),
+	          "\"bunny curves 50% cube\": 2 loops (1 open, 0 hard-closed, 1 soft-closed), length "
+	          "3.5.");
+	EXPECT_TRUE(contains(curvesMessage({}, {}, kLayers), "do not meet in a line"));
+}
+
+TEST(Messages, aSplitTellsPiecesAndWhatTheyPart) {
+	SplitResult result;
+	EXPECT_TRUE(contains(subBlocksMessage(result, kLayers), "bound no part of space"));
+	SubSurface surface{};
+	surface.area = 2;
+	surface.closedCycles = 1;
+	surface.oneSided = true;
+	result.split.surfaces.all.push_back(surface);
+	surface.closedCycles = 2;
+	surface.oneSided = false;
+	result.split.surfaces.all.push_back(surface);
+	result.split.surfaces.ofOperand[1] = {SubSurfaceId{0}, SubSurfaceId{1}};
+	result.split.blocks.separates = {0, 1};
+	EXPECT_EQ(subSurfacesMessage(result, 1, kLayers),
+	          "\"50% cube cut by bunny\": 2 sub-surfaces (1 private, 1 public; 1 separating, 1 "
+	          "one-sided), area 4.");
+	EXPECT_TRUE(contains(tooManyLayersMessage(70, 64), "70 pieces, more than max_layers (64)"));
+	EXPECT_TRUE(contains(noPiecesRequestedMessage(), "sub_surfaces_first"));
+}
+
+TEST(FilterDefinitions, piecesAreParametersOfTheSplit) {
+	for (const char* name : kPieceNames)
+		EXPECT_STREQ(parameterDefinition(FilterId::GenerateIndexBooleanSplit, name).name, name);
+	EXPECT_EQ(splitLabel(PieceKind::SubSurfacesOfFirst, "A.ply", "B"), "A cut by B");
+	EXPECT_EQ(splitLabel(PieceKind::SubSurfacesOfSecond, "A", "B"), "B cut by A");
+	EXPECT_EQ(splitLabel(PieceKind::SubBlocks, "A", "B"), "A blocks B");
+	EXPECT_EQ(curvesLabel("A", "B"), "A curves B");
+}
+
+TEST(SplitLayers, neighbouringIdsHaveColoursThatDiffer) {
+	for (std::size_t id = 0; id < 100; ++id) {
+		const Colour a = colourOf(id), b = colourOf(id + 1);
+		int difference = 0;
+		for (std::size_t channel = 0; channel < 3; ++channel)
+			difference += std::abs(static_cast<int>(a[channel]) - static_cast<int>(b[channel]));
+		EXPECT_GT(difference, 100) << "id " << id;
+	}
 }
 
 TEST(FilterDefinitions, blocksAreParametersInTheOrderOfTheLayers) {

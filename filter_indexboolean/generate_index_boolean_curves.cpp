@@ -1,0 +1,56 @@
+// SPDX-FileCopyrightText: 2026 The Index Boolean authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Parameters in, one layer and the result map out.
+#include "generate_index_boolean_curves.h"
+
+#include "curve_layer.h"
+#include "curves_run.h"
+#include "layers.h"
+#include "messages.h"
+#include "operand_layers.h"
+#include "stopwatch.h"
+
+#include <utility>
+
+namespace index_boolean {
+
+namespace {
+
+constexpr FilterId kFilter = FilterId::GenerateIndexBooleanCurves;
+
+}  // namespace
+
+FilterOutput generateIndexBooleanCurves(const ParameterValues& values, MeshDocument& document,
+                                        HostCallback* callback) {
+	const Stopwatch total;
+	const OperandLayers operands = findOperandLayers(kFilter, values, document);
+	const Options options = readCommonOptions(kFilter, values);
+	Progress progress(progressCallback(callback));
+	AdapterSeconds seconds{};
+
+	OperandArrays read;
+	refuseUnlessOk(readLayers(operands.layers, progress, read), operands.names);
+	seconds.readLayers = total.seconds();
+
+	CurvesResult result;
+	const Status status = runCurves(std::move(read.arrays), options, progress, result);
+	selectDefect(status, read, operands);
+	refuseUnlessOk(status, operands.names);
+
+	const Stopwatch writing;
+	std::vector<MeshModel*> layers;
+	refuseUnlessOk(addLayers({curveContent(result.curves, read, operands.names)}, progress,
+	                         document, layers),
+	               operands.names);
+	seconds.writeLayers = writing.seconds();
+	seconds.total = total.seconds();
+
+	std::vector<std::string> messages =
+	    operandMessages(result.turned, result.duplicates, operands.names);
+	messages.push_back(curvesMessage(result.curves, result.loopCounts, operands.names));
+	messages.push_back(timeMessage(seconds.total, result.seconds));
+	return {resultMap(result, layers.front()->id(), seconds), messages};
+}
+
+}  // namespace index_boolean
