@@ -16,14 +16,11 @@ from rich.console import Console
 from rich.progress import BarColumn, Progress, TaskProgressColumn, TextColumn, TimeElapsedColumn
 from rich.table import Column, Table
 
-from .boolean_job import BLOCKS, DEFAULT_BLOCKS, FORMATS, JobError, run_boolean_job
+from .boolean_job import BLOCKS, DEFAULT_BLOCKS, FORMATS, run_boolean_job
+from .curves_job import LOOP_KINDS, run_curves_job
+from .job import JobError
 from .plugin import HostError
-
-# The options that are parameters of the filter, by the same names.
-_SWITCHES = (
-    "merge_fragments", "merge_coplanar", "weld_non_manifold", "check_self_intersections",
-)
-
+from .split_job import PIECES, run_split_job
 
 def main(arguments=None):
     """Runs one command; returns the exit status."""
@@ -40,73 +37,166 @@ def _parser():
         prog="python -m indexboolean", description="Exact Booleans of triangle meshes."
     )
     commands = parser.add_subparsers(required=True, metavar="command")
-    boolean = commands.add_parser(
-        "boolean",
-        help="union, intersection and differences of two closed meshes",
-        description="Intersects two closed meshes once and writes the blocks asked for, and "
-        "result.json with their volumes, areas, face counts and components. Any format "
-        "that MeshLab reads. OMP_NUM_THREADS limits the threads.",
+    _add_boolean(commands)
+    _add_split(commands)
+    _add_curves(commands)
+    return parser
+
+
+def _add_command(commands, name, run, text, description):
+    """A command on two mesh files, with the options that all commands have."""
+    command = commands.add_parser(
+        name, help=text,
+        description=f"{description} Any format that MeshLab reads. OMP_NUM_THREADS limits the "
+        "threads. Exit status: 0 done, 1 refused or unreadable input, 2 usage, 130 interrupted.",
     )
-    boolean.add_argument("first", type=pathlib.Path, metavar="A", help="a mesh file")
-    boolean.add_argument("second", type=pathlib.Path, metavar="B", help="another mesh file")
-    boolean.add_argument(
+    command.add_argument("first", type=pathlib.Path, metavar="A", help="a mesh file")
+    command.add_argument("second", type=pathlib.Path, metavar="B", help="another mesh file")
+    command.add_argument(
         "-o", dest="folder", type=pathlib.Path, metavar="DIR", required=True,
         help="where the files go; made if it is not there",
     )
-    boolean.add_argument(
-        "--only", type=_block_names, default=DEFAULT_BLOCKS, metavar="BLOCK,...",
-        help=f"of {', '.join(BLOCKS)} (default: all but the last)",
-    )
-    boolean.add_argument(
-        "--format", choices=FORMATS, default="ply",
-        help="of the blocks (default: ply, binary, which alone keeps every bit)",
-    )
-    boolean.add_argument(
-        "--no-merge-fragments", dest="merge_fragments", action="store_false",
-        help="keep cuts that separate nothing in a block: blocks that touch then have the same "
-        "faces there",
-    )
-    boolean.add_argument(
-        "--merge-coplanar", action="store_true",
-        help="merge neighbouring faces that are exactly coplanar, and drop collinear vertices",
-    )
-    boolean.add_argument(
-        "--weld-non-manifold", action="store_true",
-        help="where a block meets itself keep one vertex instead of copies (edges with four faces)",
-    )
-    boolean.add_argument(
+    command.add_argument(
         "--check-self-intersections", action="store_true",
         help="first search each mesh for faces that meet others anywhere but in a common vertex or "
         "edge, and refuse it if there are any",
     )
-    boolean.set_defaults(run=_run_boolean)
-    return parser
+    command.set_defaults(run=run, filter_options=["check_self_intersections"])
+    return command
+
+
+def _add_filter_option(command, name, *flags, **details):
+    """An option that is a parameter of the filter, by the same name."""
+    command.add_argument(*flags, dest=name, **details)
+    command.get_default("filter_options").append(name)
+
+
+def _filter_parameters(options):
+    return {name: getattr(options, name) for name in options.filter_options}
+
+
+def _add_boolean(commands):
+    command = _add_command(
+        commands, "boolean", _run_boolean,
+        "union, intersection and differences of two closed meshes",
+        "Intersects two closed meshes once and writes the blocks asked for, and result.json with "
+        "their volumes, areas, face counts and components.",
+    )
+    command.add_argument(
+        "--only", type=_block_names, default=DEFAULT_BLOCKS, metavar="BLOCK,...",
+        help=f"of {', '.join(BLOCKS)} (default: all but the last)",
+    )
+    command.add_argument(
+        "--format", choices=FORMATS, default="ply",
+        help="of the blocks (default: ply, binary, which alone keeps every bit)",
+    )
+    _add_filter_option(
+        command, "merge_fragments", "--no-merge-fragments", action="store_false",
+        help="keep cuts that separate nothing in a block: blocks that touch then have the same "
+        "faces there",
+    )
+    _add_filter_option(
+        command, "merge_coplanar", "--merge-coplanar", action="store_true",
+        help="merge neighbouring faces that are exactly coplanar, and drop collinear vertices",
+    )
+    _add_filter_option(
+        command, "weld_non_manifold", "--weld-non-manifold", action="store_true",
+        help="where a block meets itself keep one vertex instead of copies (edges with four faces)",
+    )
+
+
+def _add_split(commands):
+    command = _add_command(
+        commands, "split", _run_split,
+        "every piece that two meshes, open or closed, cut each other into",
+        "Intersects two meshes, open or closed, and writes the sub-surfaces of each and the closed "
+        "sub-blocks that they bound, as PLY files whose faces have colours and the numbers "
+        "source_mesh, source_face, sub_surface, block_front, block_back and sub_block; and "
+        "result.json with areas and volumes.",
+    )
+    command.add_argument(
+        "--only", type=_piece_names, default=PIECES, metavar="PIECES,...",
+        help=f"of {', '.join(PIECES)} (default: all)",
+    )
+    _add_filter_option(
+        command, "separate_layers", "--separate", action="store_true",
+        help="a file for each piece, if there are at most --max-files",
+    )
+    _add_filter_option(
+        command, "max_layers", "--max-files", type=int, default=64, metavar="N",
+        help="more pieces than this go into one file a kind (default: 64)",
+    )
+
+
+def _add_curves(commands):
+    _add_command(
+        commands, "curves", _run_curves,
+        "the lines in which two meshes meet, as polylines",
+        "Intersects two meshes, open or closed, and writes curves.obj, a file of vertices and "
+        "edges, and result.json with the kind, the length and the sub-surfaces of each loop.",
+    )
 
 
 def _block_names(text):
+    return _names(text, "block", BLOCKS)
+
+
+def _piece_names(text):
+    return _names(text, "kind of pieces", PIECES)
+
+
+def _names(text, what, known):
     names = text.split(",")
     for name in names:
-        if name not in BLOCKS:
-            raise argparse.ArgumentTypeError(f"no block {name!r}; there are {', '.join(BLOCKS)}")
+        if name not in known:
+            raise argparse.ArgumentTypeError(f"no {what} {name!r}; there are {', '.join(known)}")
     return names
 
 
 def _run_boolean(options):
+    def job(on_progress):
+        return run_boolean_job(
+            options.first, options.second, options.folder, options.only, options.format,
+            on_progress, **_filter_parameters(options),
+        )
+
+    return _run_job(job, lambda result: _print_blocks(result, options.only))
+
+
+def _run_split(options):
+    def job(on_progress):
+        return run_split_job(
+            options.first, options.second, options.folder, options.only, on_progress,
+            **_filter_parameters(options),
+        )
+
+    return _run_job(job, _print_pieces)
+
+
+def _run_curves(options):
+    def job(on_progress):
+        return run_curves_job(
+            options.first, options.second, options.folder, on_progress,
+            **_filter_parameters(options),
+        )
+
+    return _run_job(job, _print_curves)
+
+
+def _run_job(job, print_result):
+    """Runs job(on_progress), prints what it logs and its result; returns the exit status."""
     # A console on a descriptor of its own: the host's calls borrow the process's standard error.
     with os.fdopen(os.dup(2), "w") as stderr:
         console = Console(file=stderr, soft_wrap=True, highlight=False)
         try:
             with _progress_bar(console) as on_progress:
-                result, messages = run_boolean_job(
-                    options.first, options.second, options.folder, options.only, options.format,
-                    on_progress, **{name: getattr(options, name) for name in _SWITCHES},
-                )
+                result, messages = job(on_progress)
         except (HostError, JobError, OSError) as error:
             console.print(f"error: {error}", style="red", markup=False)
             return 1
         for message in messages:
             console.print(message, markup=False)
-    _print_result(result, options)
+    print_result(result)
     return 0
 
 
@@ -129,12 +219,27 @@ def _progress_bar(console):
         yield on_progress
 
 
-def _print_result(result, options):
-    columns = [Column(name, justify="right", no_wrap=True)
-               for name in ("faces", "volume", "area", "components", "closed")]
-    table = Table(Column("block", no_wrap=True), *columns, box=box.SIMPLE_HEAD, pad_edge=False)
+def _table(*columns):
+    """A table whose first column is text, the others numbers."""
+    numbers = [Column(name, justify="right", no_wrap=True) for name in columns[1:]]
+    return Table(
+        Column(columns[0], no_wrap=True), *numbers, box=box.SIMPLE_HEAD, pad_edge=False
+    )
+
+
+def _print_table(table, result, remark=""):
+    console = Console(soft_wrap=True, highlight=False)
+    console.print(table)
+    console.print(
+        f"{result['seconds_core']:.3f} seconds for the core, {result['seconds_total']:.3f} with the "
+        f"layers{remark}"
+    )
+
+
+def _print_blocks(result, blocks):
+    table = _table("block", "faces", "volume", "area", "components", "closed")
     for block in BLOCKS:
-        if block in options.only:
+        if block in blocks:
             table.add_row(
                 block,
                 str(result[f"{block}_faces"]),
@@ -143,9 +248,22 @@ def _print_result(result, options):
                 str(result[f"{block}_components"]),
                 "yes" if result[f"{block}_closed"] else "NO",
             )
-    console = Console(soft_wrap=True, highlight=False)
-    console.print(table)
-    console.print(
-        f"{result['seconds_core']:.3f} seconds for the core, {result['seconds_total']:.3f} with the "
-        f"layers; volume law residual {result['volume_law_residual']:.1g}"
-    )
+    residual = result["volume_law_residual"]
+    _print_table(table, result, f"; volume law residual {residual:.1g}")
+
+
+def _print_pieces(result):
+    table = _table("pieces", "number", "area", "volume")
+    for kind in PIECES:
+        volume = f"{result[f'{kind}_volumes'].sum():.9g}" if kind == "sub_blocks" else ""
+        area = f"{result[f'{kind}_areas'].sum():.9g}"
+        table.add_row(kind, str(result[kind]), area, volume)
+    _print_table(table, result)
+
+
+def _print_curves(result):
+    table = _table("kind", "loops", "length")
+    for number, kind in enumerate(LOOP_KINDS):
+        lengths = result["loop_lengths"][result["loop_kinds"] == number]
+        table.add_row(kind, str(len(lengths)), f"{lengths.sum():.9g}")
+    _print_table(table, result)

@@ -7,7 +7,9 @@ import pathlib
 
 # The host loads plugins that were built for its own version and scalar only.
 _HOST_VERSION = "2025.7"
-_FILTERS = ("generate_index_boolean",)
+_FILTERS = (
+    "generate_index_boolean", "generate_index_boolean_split", "generate_index_boolean_curves",
+)
 
 
 class HostError(ImportError):

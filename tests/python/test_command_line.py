@@ -14,6 +14,7 @@ import pymeshlab
 import pytest
 
 from conftest import box, crossing_bars
+from open_shapes import bumpy_sheet
 
 SAMPLES = pathlib.Path(__file__).parents[2] / "sample_meshes"
 FIRST, SECOND = SAMPLES / "bumpy_sphere.ply", SAMPLES / "ribbed_torus.ply"
@@ -214,3 +215,98 @@ def test_threadCountFollowsTheEnvironment(tmp_path):
         )
         written.append([(folder / f"{block}.ply").read_bytes() for block in FOUR_BLOCKS])
     assert written[0] == written[1]
+
+
+def ply_properties(path):
+    header = path.read_bytes().split(b"end_header")[0].decode()
+    return [line.split()[-1] for line in header.splitlines() if line.startswith("property")]
+
+
+def ply_faces(path):
+    """The faces of a file that the command split wrote, with their numbers."""
+    header, body = path.read_bytes().split(b"end_header\n", 1)
+    counts = [int(line.split()[2]) for line in header.decode().splitlines() if "element" in line]
+    numbers = [(name, "<i4") for name in ply_properties(path)[8:]]
+    row = numpy.dtype(
+        [("count", "u1"), ("corners", "<i4", 3), ("colour", "u1", 4), *numbers]
+    )
+    vertices = numpy.frombuffer(body, "<f8", 3 * counts[0]).reshape(-1, 3)
+    return vertices, numpy.frombuffer(body, row, counts[1], 24 * counts[0])
+
+
+def sheet_file(folder):
+    meshes = pymeshlab.MeshSet()
+    meshes.add_mesh(pymeshlab.Mesh(*bumpy_sheet((0.1, 0.2, 1), 0.05, 3, 20)))
+    meshes.save_current_mesh(str(folder / "sheet.ply"))
+    return folder / "sheet.ply"
+
+
+def test_splitWritesPiecesWithNumbersAndTheResult(tmp_path):
+    done = run("split", FIRST, sheet_file(tmp_path), "-o", tmp_path / "out")
+    assert done.returncode == 0, done.stderr
+    kinds = "sub_surfaces_first", "sub_surfaces_second", "sub_blocks"
+    assert files_of(tmp_path / "out") == sorted([*(f"{kind}.ply" for kind in kinds), "result.json"])
+    result = json.loads((tmp_path / "out" / "result.json").read_text())
+    assert [result[kind] for kind in kinds] == [2, 2, 2]
+    vertices, faces = ply_faces(tmp_path / "out" / "sub_blocks.ply")
+    for number, expected in enumerate(result["sub_blocks_volumes"]):
+        block = faces["corners"][faces["sub_block"] == number]
+        assert volume(vertices, block) == pytest.approx(expected, rel=1e-12)
+    assert len(numpy.unique(faces["colour"], axis=0)) == 2
+    assert set(numpy.unique(faces["block_front"])) == {-1, 0, 1}
+    # Any reader of PLY files reads them.
+    assert len(load(tmp_path / "out" / "sub_blocks.ply")[1]) == len(faces)
+    assert "sub_blocks" in done.stdout and "2 sub-blocks" in done.stderr
+
+
+def test_splitWritesAFileForEachPiece(tmp_path):
+    sheet = sheet_file(tmp_path)
+    only = "--separate", "--only", "sub_blocks,sub_surfaces_second"
+    done = run("split", FIRST, sheet, "-o", tmp_path / "out", *only)
+    assert done.returncode == 0, done.stderr
+    assert files_of(tmp_path / "out") == [
+        "result.json", "sub_blocks_0.ply", "sub_blocks_1.ply",
+        "sub_surfaces_second_0.ply", "sub_surfaces_second_1.ply",
+    ]
+    result = json.loads((tmp_path / "out" / "result.json").read_text())
+    assert result["files"]["sub_blocks"] == ["sub_blocks_0.ply", "sub_blocks_1.ply"]
+    done = run("split", FIRST, sheet, "-o", tmp_path / "few", *only, "--max-files", 3)
+    assert done.returncode == 0
+    assert "more than max_layers (3)" in done.stderr
+    assert files_of(tmp_path / "few") == ["result.json", "sub_blocks.ply", "sub_surfaces_second.ply"]
+
+
+def test_curvesWritesEdgesAndTheLoops(tmp_path):
+    done = run("curves", SAMPLES / "cylinder_along_x.ply", SAMPLES / "cylinder_along_y.ply",
+               "-o", tmp_path)
+    assert done.returncode == 0, done.stderr
+    assert files_of(tmp_path) == ["curves.obj", "result.json"]
+    lines = (tmp_path / "curves.obj").read_text().splitlines()
+    vertices = sum(line.startswith("v ") for line in lines)
+    assert sum(line.startswith("l ") for line in lines) == vertices - 4
+    loops = json.loads((tmp_path / "result.json").read_text())["loops"]
+    assert [loop["kind"] for loop in loops] == ["soft_closed"] * 4
+    assert all(len(loop["sub_surfaces_first"]) == 2 for loop in loops)
+    assert all(len(loop["sub_surfaces_second"]) == 2 for loop in loops)
+
+
+def test_curvesOfMeshesThatDoNotMeetAreAnEmptyFile(tmp_path):
+    done = run("curves", SAMPLES / "nested_outer.ply", SAMPLES / "nested_inner.ply", "-o", tmp_path)
+    assert done.returncode == 0, done.stderr
+    assert (tmp_path / "curves.obj").is_file()
+    assert json.loads((tmp_path / "result.json").read_text())["loops"] == []
+
+
+@pytest.mark.parametrize("command_name", ["split", "curves"])
+def test_otherCommandsHaveTheSameExitStatuses(command_name, tmp_path):
+    assert run(command_name, tmp_path / "absent.ply", FIRST, "-o", tmp_path / "out").returncode == 1
+    assert run(command_name, FIRST, SECOND).returncode == 2
+    shown = run(command_name, "--help")
+    assert shown.returncode == 0 and "Exit status: 0 done, 1 refused" in " ".join(
+        shown.stdout.split()
+    )
+
+
+def test_splitRefusesUnknownPieces():
+    done = run("split", FIRST, SECOND, "-o", "out", "--only", "pieces")
+    assert done.returncode == 2 and "no kind of pieces 'pieces'" in done.stderr

@@ -1,0 +1,119 @@
+# SPDX-FileCopyrightText: 2026 The Index Boolean authors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What the jobs of all commands share: two mesh files in, a filter's run, files and a record out."""
+
+import json
+import math
+
+from .host_call import host_call
+from .plugin import load_plugin
+from .ply_file import write_ply
+
+
+class JobError(Exception):
+    """A file that cannot be read or written, or operands that the filter refuses."""
+
+
+class Job:
+    """A document with the meshes of two files, and the folder that the results go to.
+
+    first, second and folder are pathlib.Path; on_progress is that of host_call. Raises HostError,
+    JobError or OSError.
+    """
+
+    def __init__(self, first, second, folder, on_progress):
+        load_plugin()
+        import pymeshlab
+
+        self.meshes = pymeshlab.MeshSet()
+        self._files = {"first": str(first), "second": str(second)}
+        self._folder = folder
+        self._on_progress = on_progress
+        self._operands = [self._load(path) for path in (first, second)]
+        folder.mkdir(parents=True, exist_ok=True)
+
+    def run(self, filter_name, **parameters):
+        """Runs the filter on both meshes; returns (its result map, the messages that it logged)."""
+        import pymeshlab
+
+        first, second = self._operands
+        self.meshes.set_verbosity(True)
+        try:
+            outcome = host_call(
+                lambda: self.meshes.apply_filter(
+                    filter_name, first_mesh=first, second_mesh=second, **parameters
+                ),
+                self._on_progress,
+            )
+        except pymeshlab.PyMeshLabException as error:
+            _, _, refusal = str(error).partition("Details: ")  # after the host's own opening
+            raise JobError(refusal or str(error)) from error
+        self.meshes.set_verbosity(False)
+        return outcome
+
+    def save(self, layer, name, **parameters):
+        """Writes the layer of that id as folder/name."""
+        import pymeshlab
+
+        path = self._folder / name
+        self.meshes.set_current_mesh(layer)
+        mesh = self.meshes.current_mesh()
+        if path.suffix == ".obj" and mesh.face_number() + mesh.edge_number() == 0:
+            path.write_text("# empty\n")  # the host refuses to write an OBJ file of nothing
+            return
+        self._on_progress(f"writing {path.name}", 100)
+        try:
+            host_call(
+                lambda: self.meshes.save_current_mesh(str(path), **parameters), self._on_progress
+            )
+        except pymeshlab.PyMeshLabException as error:
+            raise JobError(f"{path} cannot be written: {error}") from error
+
+    def save_with_numbers(self, layer, name, numbers):
+        """Writes the layer as a PLY file whose faces have colours and the attributes named."""
+        mesh = self.meshes.mesh(layer)
+        self._on_progress(f"writing {name}", 100)
+        write_ply(
+            self._folder / name, mesh.vertex_matrix(), mesh.face_matrix(),
+            (mesh.face_color_matrix() * 255).round(),
+            {number: mesh.face_custom_scalar_attribute_array(number) for number in numbers},
+        )
+
+    def write_record(self, files, record):
+        """Writes folder/result.json: the operands' files, those written, and the record."""
+        record = {**self._files, "files": files, **record}
+        text = json.dumps(_json_value(record), indent="\t", allow_nan=False)
+        (self._folder / "result.json").write_text(text + "\n")
+
+    def _load(self, path):
+        """The layer id of the file's mesh; the parts of a file of several meshes become one."""
+        import pymeshlab
+
+        if not path.exists() or path.is_dir():
+            raise JobError(f"{path} is not a file")
+        self._on_progress(f"reading {path.name}", 0)
+        before = self.meshes.mesh_number()
+        try:
+            host_call(lambda: self.meshes.load_new_mesh(str(path)), self._on_progress)
+            if self.meshes.mesh_number() > before + 1:
+                parts = pymeshlab.MeshSet()
+                parts.load_new_mesh(str(path))
+                parts.generate_by_merging_visible_meshes(mergevertices=False)
+                self.meshes.add_mesh(parts.current_mesh(), path.name)
+        except pymeshlab.PyMeshLabException as error:
+            raise JobError(f"{path} cannot be read: {error}") from error
+        return self.meshes.current_mesh_id()
+
+
+def _json_value(value):
+    """The value with lists for arrays.
+
+    JSON has no infinities: a volume beyond the range of double is the string "inf" or "-inf".
+    """
+    if isinstance(value, dict):
+        return {key: _json_value(item) for key, item in value.items()}
+    if hasattr(value, "tolist"):  # an array
+        value = value.tolist()
+    if isinstance(value, list):
+        return [_json_value(item) for item in value]
+    return str(value) if isinstance(value, float) and not math.isfinite(value) else value
