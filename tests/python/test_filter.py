@@ -138,8 +138,8 @@ def set_matrix(mesh_set, layer, matrix):
     mesh_set.set_current_mesh(current)
 
 
-def log_of(make_document):
-    """What a run on the document that `make_document` (an expression) makes prints when verbose.
+def log_of(make_document, filter_name="generate_index_boolean", parameters=""):
+    """What a run of the filter on the document that `make_document` (an expression) makes prints when verbose.
 
     In a process of its own: once a filter has refused, pymeshlab prints nothing any more.
     """
@@ -149,7 +149,7 @@ from test_filter import *
 indexboolean.load_plugin()
 mesh_set = {make_document}
 mesh_set.set_verbosity(True)
-mesh_set.generate_index_boolean()
+mesh_set.{filter_name}({parameters})
 """
     run = subprocess.run(
         [sys.executable, "-c", program],
