@@ -34,7 +34,7 @@ const std::vector<Operation> kFourBlocks{Operation::Union, Operation::Intersecti
 
 struct CommandLine {
 	std::vector<std::string> files;
-	std::size_t spheres = 0, cubeAndSphere = 0;  // faces of a sphere; 0: not asked for
+	std::size_t spheres = 0, cubeAndSphere = 0, twinSpheres = 0;  // faces of a sphere; 0: not asked
 	std::array<std::size_t, 2> terrain{};        // faces of the terrain and of the sheet
 	bool split = false;
 	std::string placement = "none";
@@ -82,6 +82,8 @@ Operands makeOperands(const CommandLine& commandLine) {
 		operands[0] = index_boolean_bench::makeTerrain(commandLine.terrain[0], 6, 0.05);
 		operands[1] = index_boolean_bench::makeTerrain(commandLine.terrain[1], 2, 0.03);
 		transform({1.2, 0, 0, -0.1, 0, 1.2, 0, -0.1, 0, 0, 1, 0.01}, operands[1]);
+	} else if (commandLine.twinSpheres > 0) {
+		operands[0] = operands[1] = index_boolean_bench::makeSphere(commandLine.twinSpheres);
 	} else {
 		for (std::size_t k = 0; k < 2; ++k) {
 			operands[k] = index_boolean_bench::readSurface(commandLine.files[k]);
@@ -321,6 +323,9 @@ CommandLine parse(int argc, char** argv) {
 	               "faces each; they are split")
 	    ->check(CLI::PositiveNumber);
 	app.add_flag("--split", out.split, "Times the sub-surfaces and sub-blocks, not the blocks");
+	app.add_option("--twin-spheres", out.twinSpheres,
+	               "One unit sphere of about this many faces, twice; --transform-second moves it")
+	    ->check(CLI::PositiveNumber);
 	app.add_option("--place", out.placement,
 	               "standard: each centred, longest side 1, the second then turned by 0.7 rad "
 	               "about (1,2,3), and shifted by (0.05,0.04,0.03) if it is the same file")
@@ -348,9 +353,10 @@ CommandLine parse(int argc, char** argv) {
 	try {
 		app.parse(argc, argv);
 		const int sources = (out.files.empty() ? 0 : 1) + (out.spheres > 0 ? 1 : 0) +
-		                    (out.cubeAndSphere > 0 ? 1 : 0) + (out.terrain[0] > 0 ? 1 : 0);
+		                    (out.cubeAndSphere > 0 ? 1 : 0) + (out.twinSpheres > 0 ? 1 : 0);
 		if (sources != 1) {
-			throw CLI::ValidationError("give two files, --spheres, --cube-and-sphere or --terrain");
+			throw CLI::ValidationError(
+			    "give two files, --spheres, --cube-and-sphere or --twin-spheres");
 		}
 		out.split = out.split || out.terrain[0] > 0;
 		for (const auto& numbers : out.transforms) {

@@ -19,6 +19,24 @@ namespace index_boolean {
 // on it. \pre finite. Complexity: O(1), almost always 40 flops.
 int orient3d(const Point& a, const Point& b, const Point& c, const Point& p);
 
+// The plane through a, b, c, ready to be asked for the sides of many points: a third of the cost of
+// orient3d, but no answer where rounding leaves a doubt.
+class PlaneFilter {
+public:
+	PlaneFilter(const Point& a, const Point& b, const Point& c);
+
+	// As orient3d(a, b, c, p), or kUnknownSign; 0 is never the answer.
+	int side(const Point& p) const;
+
+	// Whether p, q, r lie strictly on one side, without doubt.
+	bool parts(const Point& p, const Point& q, const Point& r) const;
+
+private:
+	Point origin_;
+	std::array<double, 3> normal_;
+	std::array<double, 3> normalSize_;  // sums of the sizes of what the normal is the sum of
+};
+
 // The value behind that sign, six times the volume of the tetrahedron a b c p, with an error bound.
 Bounded orient3dBounded(const Point& a, const Point& b, const Point& c, const Point& p);
 

@@ -7,6 +7,7 @@
 // holds the overlap's low corner reports it. Leaves are half open, the root has no bounds.
 #include "octree_pairs.h"
 
+#include "exact_sign.h"
 #include "face_boxes.h"
 #include "parallel.h"
 
@@ -413,6 +414,39 @@ Status descend(const Frontier& frontier, const Options& options, Monitor& monito
 	                         });
 }
 
+// Keeps the pairs of which neither face's plane parts the faces. Most faces near the other operand
+// lie beside its faces, not across: what goes here is never stored, sorted or looked at again.
+class PlaneSieve {
+public:
+	PlaneSieve(const MeshArrays& mesh, std::vector<FacePair>& kept) : mesh_(mesh), kept_(kept) {}
+
+	void operator()(FacePair pair) {
+		// Pairs come in runs with one face of the first operand.
+		if (pair.a != faceOfFilter_) {
+			faceOfFilter_ = pair.a;
+			filter_ = filterOf(pair.a);
+		}
+		if (!parts(filter_, pair.b) && !parts(filterOf(pair.b), pair.a))
+			kept_.push_back(pair);
+	}
+
+private:
+	const Point& corner(FaceId face, std::size_t i) const {
+		return at(mesh_.points, at(mesh_.triangles, face)[i]);
+	}
+	PlaneFilter filterOf(FaceId face) const {
+		return {corner(face, 0), corner(face, 1), corner(face, 2)};
+	}
+	bool parts(const PlaneFilter& plane, FaceId face) const {
+		return plane.parts(corner(face, 0), corner(face, 1), corner(face, 2));
+	}
+
+	const MeshArrays& mesh_;
+	std::vector<FacePair>& kept_;
+	FaceId faceOfFilter_ = FaceId::none();
+	PlaneFilter filter_{{}, {}, {}};
+};
+
 // The steps of findPairs, which adds the guard against running out of memory between regions.
 Status findPairsUnguarded(const MeshArrays& mesh, const Options& options, Monitor& monitor,
                           std::vector<FacePair>& out) {
@@ -426,9 +460,8 @@ Status findPairsUnguarded(const MeshArrays& mesh, const Options& options, Monito
 	if (!status.ok())
 		return status;
 	std::vector<std::vector<FacePair>> parts(frontier.nodes.size());
-	status = descend(frontier, options, monitor, [&parts](std::size_t i) {
-		return [&part = parts[i]](FacePair pair) { part.push_back(pair); };
-	});
+	status = descend(frontier, options, monitor,
+	                 [&](std::size_t i) { return PlaneSieve(mesh, parts[i]); });
 	if (status.ok())
 		sortPairs(parts, mesh.faceBegin[1], out);
 	return status;

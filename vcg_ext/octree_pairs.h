@@ -3,8 +3,9 @@
 //
 // in: both operands' triangles; out: the pairs of faces, one of each operand, that may meet. Also:
 // the pairs of faces of one surface.
-// Guarantee: every two faces whose boxes touch or overlap are a pair, listed once. The list does
-// not depend on the threads, nor on the octree's options.
+// Guarantee: every two faces whose boxes touch or overlap are a pair, listed once, unless one lies
+// strictly on one side of the other's plane. The list does not depend on the threads, nor on the
+// octree's options.
 // Source: Mei & Tipper 2013, step 1: an octree over the overlap of both boxes in which a node
 // without a face of either operand dies, so that the work contracts onto the curve.
 #pragma once
@@ -26,13 +27,15 @@ struct FacePair {
 
 // Finds all pairs of faces, quiet ones left aside, with boxes that touch or overlap, and a few more
 // whose boxes differ by less than the rounding to float of coordinates taken relative to the
-// operands' common box.
+// operands' common box; but none of which the plane of one face parts the faces, as far as a bound
+// on the rounding tells.
 // \param mesh    both operands; every face's coordinates are finite
 // \param options octree limits and threads
 // \param monitor progress of the stage, and cancel
 // \param out     replaced; sorted by a, then by b
 // \return Ok, Cancelled, OutOfMemory or InternalError
-// Complexity: O(n + m log m + p) for n faces, m of them near the other operand, and p pairs.
+// Complexity: O(n + m log m + p) for n faces, m of them near the other operand, and p pairs with
+// boxes that meet.
 Status findPairs(const MeshArrays& mesh, const Options& options, Monitor& monitor,
                  std::vector<FacePair>& out);
 

@@ -154,6 +154,24 @@ TEST(ExactSign, orient3dEqualsRationalArithmetic) {
 	}
 }
 
+TEST(ExactSign, planeFilterNeverErrsAndKnowsInGeneralPosition) {
+	std::size_t known = 0, generic = 0;
+	for (std::uint32_t seed = 0; seed < kSeeds; ++seed) {
+		SCOPED_TRACE("seed " + std::to_string(seed));
+		PointSource next(seed);
+		const Point a = next(), b = next(), c = next(), p = next();
+		const int side = PlaneFilter(a, b, c).side(p);
+		if (side != kUnknownSign) {
+			EXPECT_EQ(side, signOf(planeValue(a, b, c, rational(p))));
+		}
+		if (seed % 6 == 0) {  // coordinates spread evenly
+			++generic;
+			known += side != kUnknownSign ? 1u : 0u;
+		}
+	}
+	EXPECT_EQ(known, generic);
+}
+
 TEST(ExactSign, orient2dEqualsRationalArithmetic) {
 	for (std::uint32_t seed = 0; seed < kSeeds; ++seed) {
 		SCOPED_TRACE("seed " + std::to_string(seed));
