@@ -9,6 +9,7 @@
 #include "operands.h"
 
 #include <vcg_ext/index_boolean.h>
+#include <vcg_ext/sign_counts.h>
 
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
@@ -37,6 +38,7 @@ struct CommandLine {
 	std::size_t spheres = 0, cubeAndSphere = 0, twinSpheres = 0;  // faces of a sphere; 0: not asked
 	std::array<std::size_t, 2> terrain{};        // faces of the terrain and of the sheet
 	bool split = false;
+	std::uint32_t gridBoxes = 0;  // squares along a side; 0: not asked
 	std::string placement = "none";
 	std::array<std::vector<double>, 2> transforms;  // 12 or 16 numbers, or none
 	Operation operation = Operation::Union;
@@ -84,6 +86,9 @@ Operands makeOperands(const CommandLine& commandLine) {
 		transform({1.2, 0, 0, -0.1, 0, 1.2, 0, -0.1, 0, 0, 1, 0.01}, operands[1]);
 	} else if (commandLine.twinSpheres > 0) {
 		operands[0] = operands[1] = index_boolean_bench::makeSphere(commandLine.twinSpheres);
+	} else if (commandLine.gridBoxes > 0) {
+		operands[0] = operands[1] = index_boolean_bench::makeGridBox(commandLine.gridBoxes);
+		transform({1, 0, 0, 2, 0, 1, 0, 0.0078125, 0, 0, 1, 0.01171875}, operands[1]);
 	} else {
 		for (std::size_t k = 0; k < 2; ++k) {
 			operands[k] = index_boolean_bench::readSurface(commandLine.files[k]);
@@ -246,6 +251,25 @@ ordered_json describeBlocks(const Outcome& outcome) {
 	return blocks;
 }
 
+// What decided how many signs since the last call; empty in a build that does not count.
+ordered_json describeSigns() {
+	const std::array<const char*, kPredicateCount> predicates{
+	    "pair_sieve", "orient3d", "orient2d", "curve_orient2d", "curve_order",
+	    "slopes", "rounding"};
+	const std::array<const char*, kDeciderCount> deciders{"double", "double_double", "integers",
+	                                                      "undecided"};
+	const SignCounts counts = takeSignCounts();
+	ordered_json signs;
+	for (std::size_t p = 0; p < kPredicateCount; ++p) {
+		for (std::size_t d = 0; d < kDeciderCount; ++d) {
+			if (counts[p][d] > 0) {
+				signs[predicates[p]][deciders[d]] = counts[p][d];
+			}
+		}
+	}
+	return signs;
+}
+
 // A line of /proc/self/status in bytes: VmRSS, the resident memory, or VmHWM, its peak. (The peak
 // of getrusage would count the process that started this one.) 0 where there is no such file.
 std::size_t residentMemory(const std::string& line) {
@@ -271,7 +295,11 @@ Status measure(const CommandLine& commandLine, const Operands& operands,
 	std::vector<std::pair<std::string, std::vector<double>>> stages;
 	resetPeakMemory();
 	for (int run = -commandLine.warmups; run < commandLine.runs; ++run) {
+		takeSignCounts();
 		const Outcome outcome = runOnce(operands, options, operations);
+		if (const ordered_json signs = describeSigns(); !signs.empty()) {
+			out["signs"] = signs;
+		}
 		if (!outcome.status.ok()) {
 			return outcome.status;
 		}
@@ -311,20 +339,26 @@ CommandLine parse(int argc, char** argv) {
 	CommandLine out;
 	CLI::App app{"Times the Boolean core alone, from arrays to arrays, and prints JSON.",
 	             "index_boolean_bench"};
-	app.add_option("files", out.files, "Two meshes: PLY, STL, OBJ, OFF")->expected(2);
-	app.add_option("--spheres", out.spheres,
+	CLI::Option_group& operands = *app.add_option_group("operands", "One of these");
+	operands.require_option(1);
+	operands.add_option("files", out.files, "Two meshes: PLY, STL, OBJ, OFF")->expected(2);
+	operands.add_option("--spheres", out.spheres,
 	               "Two unit spheres of about this many faces, 1 apart, instead of files")
 	    ->check(CLI::PositiveNumber);
-	app.add_option("--cube-and-sphere", out.cubeAndSphere,
+	operands.add_option("--cube-and-sphere", out.cubeAndSphere,
 	               "A cube of side 1.6 and a unit sphere of about this many faces")
 	    ->check(CLI::PositiveNumber);
-	app.add_option("--terrain", out.terrain,
+	operands.add_option("--terrain", out.terrain,
 	               "A terrain over the unit square and a sheet that cuts it, of about this many "
 	               "faces each; they are split")
 	    ->check(CLI::PositiveNumber);
 	app.add_flag("--split", out.split, "Times the sub-surfaces and sub-blocks, not the blocks");
-	app.add_option("--twin-spheres", out.twinSpheres,
+	operands.add_option("--twin-spheres", out.twinSpheres,
 	               "One unit sphere of about this many faces, twice; --transform-second moves it")
+	    ->check(CLI::PositiveNumber);
+	operands.add_option("--grid-boxes", out.gridBoxes,
+	               "Two cubes whose walls are cut into N x N squares, with one wall in common, "
+	               "shifted in its plane: coplanar faces that overlap")
 	    ->check(CLI::PositiveNumber);
 	app.add_option("--place", out.placement,
 	               "standard: each centred, longest side 1, the second then turned by 0.7 rad "
@@ -352,12 +386,6 @@ CommandLine parse(int argc, char** argv) {
 	               "A folder for the operands as placed: points_0.f64, triangles_0.u32, ...");
 	try {
 		app.parse(argc, argv);
-		const int sources = (out.files.empty() ? 0 : 1) + (out.spheres > 0 ? 1 : 0) +
-		                    (out.cubeAndSphere > 0 ? 1 : 0) + (out.twinSpheres > 0 ? 1 : 0);
-		if (sources != 1) {
-			throw CLI::ValidationError(
-			    "give two files, --spheres, --cube-and-sphere or --twin-spheres");
-		}
 		out.split = out.split || out.terrain[0] > 0;
 		for (const auto& numbers : out.transforms) {
 			if (!numbers.empty() && numbers.size() != 12 && numbers.size() != 16) {

@@ -48,6 +48,29 @@ def sphere_cases(faces):
     ]
 
 
+def twin_cases(faces):
+    """A sphere and itself: in one place, almost in one place."""
+    size = f"{round(faces / 1000)}k" if faces >= 1000 else str(faces)
+
+    def twin(name, *transform):
+        arguments = ["--twin-spheres", str(faces)]
+        if transform:
+            arguments += ["--transform-second", ",".join(map(str, transform))]
+        return Case(f"sphere {{}} {name} ({size})", "first_minus_second", arguments)
+
+    return [
+        twin("itself"),
+        twin("itself shifted by 1e-8", 1, 0, 0, 1e-8, 0, 1, 0, 0, 0, 0, 1, 0),
+        twin("itself turned by 1e-7", 1, -1e-7, 0, 0, 1e-7, 1, 0, 0, 0, 0, 1, 0),
+    ]
+
+
+def wall_case(squares):
+    """Two boxes with a wall in common: all contacts are overlaps of coplanar faces."""
+    name = f"box {{}} box beside it (walls of {squares} × {squares})"
+    return Case(name, "union", ["--grid-boxes", str(squares)])
+
+
 def mesh_cases(folder):
     def pair(name, operation, first, second):
         files = (folder / first, folder / second)
@@ -256,7 +279,7 @@ def parse_arguments():
 
 
 def select_cases(args):
-    cases = sphere_cases(args.spheres)
+    cases = [*sphere_cases(args.spheres), *twin_cases(args.spheres // 4), wall_case(64)]
     folder = os.environ.get("INDEXBOOLEAN_MESHES")
     if folder:
         cases += mesh_cases(Path(folder).resolve())

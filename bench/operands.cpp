@@ -166,6 +166,39 @@ Surface makeCube(double side) {
 	return cube;
 }
 
+Surface makeGridBox(std::uint32_t n) {
+	Surface box;
+	std::map<Point, std::uint32_t> numbers;
+	const auto vertexAt = [&](const Point& p) {
+		const auto [entry, isNew] =
+		    numbers.try_emplace(p, static_cast<std::uint32_t>(box.points.size()));
+		if (isNew) {
+			box.points.push_back(p);
+		}
+		return entry->second;
+	};
+	const auto onWall = [&](std::size_t axis, bool upper, std::uint32_t i, std::uint32_t j) {
+		Point p{};
+		p[axis] = upper ? 1 : -1;
+		p[(axis + (upper ? 1 : 2)) % 3] = 2.0 * i / n - 1;
+		p[(axis + (upper ? 2 : 1)) % 3] = 2.0 * j / n - 1;
+		return vertexAt(p);
+	};
+	for (std::size_t wall = 0; wall < 6; ++wall) {
+		const std::size_t axis = wall / 2;
+		const bool upper = wall % 2 == 1;
+		for (std::uint32_t i = 0; i < n; ++i) {
+			for (std::uint32_t j = 0; j < n; ++j) {
+				const std::uint32_t a = onWall(axis, upper, i, j);
+				const std::uint32_t b = onWall(axis, upper, i + 1, j + 1);
+				box.triangles.push_back({a, onWall(axis, upper, i + 1, j), b});
+				box.triangles.push_back({a, b, onWall(axis, upper, i, j + 1)});
+			}
+		}
+	}
+	return box;
+}
+
 void transform(const Matrix& m, Surface& surface) {
 	for (Point& p : surface.points) {
 		p = {m[0] * p[0] + m[1] * p[1] + m[2] * p[2] + m[3],

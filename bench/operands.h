@@ -40,6 +40,9 @@ Surface makeCube(double side);
 // \param height  of the largest hills
 Surface makeTerrain(std::size_t faces, int octaves, double height);
 
+// A cube of side 2 around the origin, each wall cut into n * n squares of two triangles.
+Surface makeGridBox(std::uint32_t n);
+
 void transform(const Matrix& matrix, Surface& surface);
 
 // The standard placement: the centre of the bounding box to the origin, its longest side to 1.

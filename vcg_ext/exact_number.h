@@ -8,6 +8,8 @@
 // tell. Overflow ends as an infinity or NaN in value or bound, which is "unknown" too.
 #pragma once
 
+#include "sign_counts.h"
+
 #include <boost/multiprecision/cpp_int.hpp>
 
 #include <cmath>
@@ -130,15 +132,18 @@ struct NumberTag {
 };
 
 // The sign of a formula, by the cheapest number type that can tell. `formula(NumberTag<N>{})`
-// returns the sign as N sees it, kUnknownSign included.
+// returns the sign as N sees it, kUnknownSign included; `predicate` is what is counted.
 template <class Formula>
-int decideSign(Formula&& formula) {
+int decideSign(Predicate predicate, Formula&& formula) {
 	if (const int sign = formula(NumberTag<Bounded>{}); sign != kUnknownSign) {
+		countSign(predicate, DecidedBy::Double);
 		return sign;
 	}
 	if (const int sign = formula(NumberTag<BoundedPair>{}); sign != kUnknownSign) {
+		countSign(predicate, DecidedBy::DoubleDouble);
 		return sign;
 	}
+	countSign(predicate, DecidedBy::Integers);
 	return formula(NumberTag<Dyadic>{});
 }
 

@@ -200,10 +200,12 @@ Bounded orient3dBounded(const Point& a, const Point& b, const Point& c, const Po
 
 int orient3d(const Point& a, const Point& b, const Point& c, const Point& p) {
 	if (const int sign = orient3dBounded(a, b, c, p).sign(); sign != kUnknownSign) {
+		countSign(Predicate::Orient3d, DecidedBy::Double);
 		return sign;
 	}
-	return decideSign(
-	    [&](auto tag) { return orient3dValue<typename decltype(tag)::Type>(a, b, c, p).sign(); });
+	return decideSign(Predicate::Orient3d, [&](auto tag) {
+		return orient3dValue<typename decltype(tag)::Type>(a, b, c, p).sign();
+	});
 }
 
 int exactVolumeSign(const std::vector<Point>& points, const Triangle* begin, const Triangle* end) {
@@ -217,13 +219,13 @@ int exactVolumeSign(const std::vector<Point>& points, const Triangle* begin, con
 }
 
 int orient2d(const Point& a, const Point& b, const Point& c, int axis) {
-	return decideSign([&](auto tag) {
+	return decideSign(Predicate::Orient2d, [&](auto tag) {
 		return orient2dValue<typename decltype(tag)::Type>(a, b, c, axis).sign();
 	});
 }
 
 int orient2d(const Point& a, const Point& b, const MeanPoint& p, int axis) {
-	return decideSign([&](auto tag) {
+	return decideSign(Predicate::Orient2d, [&](auto tag) {
 		using N = typename decltype(tag)::Type;
 		const auto term = [&](std::size_t i) {
 			return N(p.weights[i]) * orient2dValue<N>(a, b, *p.of[i], axis);
@@ -233,7 +235,7 @@ int orient2d(const Point& a, const Point& b, const MeanPoint& p, int axis) {
 }
 
 int orient3d(const Point& a, const Point& b, const Point& c, const MeanPoint& p) {
-	return decideSign([&](auto tag) {
+	return decideSign(Predicate::Orient3d, [&](auto tag) {
 		using N = typename decltype(tag)::Type;
 		const auto term = [&](std::size_t i) {
 			return N(p.weights[i]) * orient3dValue<N>(a, b, c, *p.of[i]);
@@ -279,7 +281,9 @@ void roundPoint(ExactPoint& p) {
 		const BoundedPair offset = approximate.numerator[k] / approximate.denominator;
 		certain[k] = certainSum(base[k], offset, p.rounded[k]);
 	}
-	if (!(certain[0] && certain[1] && certain[2])) {
+	const bool allCertain = certain[0] && certain[1] && certain[2];
+	countSign(Predicate::Rounding, allCertain ? DecidedBy::DoubleDouble : DecidedBy::Integers);
+	if (!allCertain) {
 		const Quotient<Dyadic> exact = quotient<Dyadic>(p);
 		for (std::size_t k = 0; k < 3; ++k) {
 			const Dyadic numerator = Dyadic(base[k]) * exact.denominator + exact.numerator[k];
@@ -295,13 +299,14 @@ int compareCoordinate(const ExactPoint& a, const ExactPoint& b, int axis) {
 	const auto k = static_cast<std::size_t>(axis);
 	// Correct rounding is monotone: rounded values that differ have the order of the exact ones.
 	if (a.rounded[k] != b.rounded[k]) {
+		countSign(Predicate::CurveOrder, DecidedBy::Double);
 		return a.rounded[k] < b.rounded[k] ? -1 : 1;
 	}
 	if (a.form == ExactPoint::Form::Explicit && b.form == ExactPoint::Form::Explicit) {
 		return 0;
 	}
 	const Point& origin = *a.by[0];
-	return decideSign([&](auto tag) {
+	return decideSign(Predicate::CurveOrder, [&](auto tag) {
 		using N = typename decltype(tag)::Type;
 		const Homogeneous<N> p = homogeneous<N>(a, origin, previousCorner(axis));
 		const Homogeneous<N> q = homogeneous<N>(b, origin, previousCorner(axis));
@@ -312,16 +317,17 @@ int compareCoordinate(const ExactPoint& a, const ExactPoint& b, int axis) {
 
 int orient2d(const ExactPoint& a, const ExactPoint& b, const ExactPoint& c, int axis) {
 	if (const int sign = orientationOfRounded(a, b, c, axis); sign != kUnknownSign) {
+		countSign(Predicate::CurveOrient2d, DecidedBy::Double);
 		return sign;
 	}
-	return decideSign([&](auto tag) {
+	return decideSign(Predicate::CurveOrient2d, [&](auto tag) {
 		return homogeneousOrientation<typename decltype(tag)::Type>(a, b, c, axis);
 	});
 }
 
 int compareSlopes(const std::array<const Point*, 3>& a, const std::array<const Point*, 3>& b,
                   int axis, int along) {
-	return decideSign([&](auto tag) {
+	return decideSign(Predicate::Slopes, [&](auto tag) {
 		using N = typename decltype(tag)::Type;
 		const auto normalOf = [](const std::array<const Point*, 3>& plane) {
 			return cross(difference<N>(*plane[1], *plane[0]), difference<N>(*plane[2], *plane[0]));

@@ -426,7 +426,9 @@ public:
 			faceOfFilter_ = pair.a;
 			filter_ = filterOf(pair.a);
 		}
-		if (!parts(filter_, pair.b) && !parts(filterOf(pair.b), pair.a))
+		const bool parted = parts(filter_, pair.b) || parts(filterOf(pair.b), pair.a);
+		countSign(Predicate::PairSieve, parted ? DecidedBy::Double : DecidedBy::Undecided);
+		if (!parted)
 			kept_.push_back(pair);
 	}
 
