@@ -66,6 +66,7 @@ private:
 	Status sortPointsOnEdges();
 	Status refuseCoincidentPoints(const CutEdge& edge) const;
 	void collectLines();
+	void addLine(VertexId begin, VertexId end, std::uint32_t contact);
 	void addOverlap(std::uint32_t contact);
 	void numberSegments();
 	void findIrregularPoints();
@@ -267,6 +268,14 @@ bool lexicographicallyBefore(const ExactPoint& a, const ExactPoint& b) {
 	return false;
 }
 
+// No curve goes along an edge all of whose faces have twins. Faces at it that are not quiet are seen
+// here, but not all of them, so nothing could be told from their order around it.
+void Welder::addLine(VertexId begin, VertexId end, std::uint32_t contact) {
+	if (!isQuiet(begin, end)) {
+		lines_.push_back({begin, end, contact});
+	}
+}
+
 // The sides of a coplanar overlap, and a fan of diagonals from its lexicographically smallest
 // corner.
 void Welder::addOverlap(std::uint32_t contact) {
@@ -289,9 +298,7 @@ void Welder::addOverlap(std::uint32_t contact) {
 	});
 	for (std::size_t i = 0; i < corners.size(); ++i) {
 		const VertexId next = corners[(i + 1) % corners.size()].first;
-		if (!isQuiet(corners[i].first, next)) {
-			lines_.push_back({corners[i].first, next, contact});
-		}
+		addLine(corners[i].first, next, contact);
 	}
 	for (std::size_t i = 2; i + 1 < corners.size(); ++i) {
 		curve_.faceDiagonals.push_back({c.a, corners.front().first, corners[i].first});
@@ -303,7 +310,7 @@ void Welder::collectLines() {
 	for (std::uint32_t i = 0; i < contacts_.pairs.size(); ++i) {
 		const NamedContact& c = contacts_.pairs[i];
 		if (c.count == 2) {
-			lines_.push_back({vertexOfName_[c.first], vertexOfName_[c.first + 1], i});
+			addLine(vertexOfName_[c.first], vertexOfName_[c.first + 1], i);
 		} else if (c.count > 2) {
 			addOverlap(i);
 		}

@@ -125,6 +125,43 @@ TEST(GridPolyhedra, manyPairsSideBySideAreTheSameForAnyNumberOfThreads) {
 	}
 }
 
+// --- pairs that once failed ---------------------------------------------------------------------
+
+// Edges with four faces whose twins are known: where one of the four has all its corners among
+// vertices without other faces, the curve must not go along the edge with the other three.
+SolidPair pairWithEdgesOfFourCommonFaces() {
+	SolidPair pair;
+	pair.a.points = {{0, 0, 1}, {2, 0, 1}, {2, 1, 1}, {0, 1, 1}, {0, 1, 0},
+	                 {2, 0, 0}, {2, 0, 2}, {3, 0, 1}, {2, 1, 2}, {2, 1, 0},
+	                 {0, 3, 1}, {0, 1, 2}, {2, 3, 1}, {3, 3, 1}, {3, 1, 1}};
+	pair.a.triangles = {{0, 1, 2},   {0, 2, 3},   {0, 3, 4},   {0, 4, 5},   {0, 5, 1},   {6, 1, 7},
+	                    {6, 2, 1},   {6, 7, 8},   {6, 8, 2},   {1, 2, 7},   {1, 5, 9},   {1, 9, 2},
+	                    {2, 3, 10},  {2, 4, 3},   {2, 8, 11},  {2, 9, 4},   {2, 10, 12}, {2, 11, 3},
+	                    {2, 12, 13}, {2, 13, 14}, {2, 14, 7},  {3, 11, 10}, {4, 9, 5},   {7, 14, 8},
+	                    {8, 10, 11}, {8, 12, 10}, {8, 13, 12}, {8, 14, 13}};
+	pair.b.points = {{2, 0, 0}, {2, 0, 1}, {0, 0, 1}, {0, 1, 0}, {2, 1, 0}, {2, 1, 1},
+	                 {3, 0, 1}, {2, 0, 2}, {0, 1, 1}, {3, 0, 3}, {0, 1, 2}, {2, 1, 2},
+	                 {0, 3, 1}, {2, 3, 1}, {3, 3, 1}, {3, 1, 1}};
+	pair.b.triangles = {
+	    {0, 1, 2},   {0, 2, 3},   {0, 3, 4},   {0, 4, 1},  {1, 4, 5},  {1, 5, 2},   {1, 5, 6},
+	    {1, 6, 7},   {1, 7, 5},   {2, 5, 8},   {2, 7, 9},  {2, 8, 3},  {2, 9, 10},  {2, 10, 7},
+	    {3, 5, 4},   {3, 8, 5},   {5, 7, 11},  {5, 8, 12}, {5, 10, 8}, {5, 11, 10}, {5, 12, 13},
+	    {5, 13, 14}, {5, 14, 15}, {5, 15, 6},  {6, 9, 7},  {6, 15, 9}, {7, 10, 11}, {8, 10, 12},
+	    {9, 12, 10}, {9, 13, 12}, {9, 14, 13}, {9, 15, 14}};
+	return pair;
+}
+
+TEST(GridPolyhedra, edgesOfFourCommonFacesAreRight) {
+	const SolidPair pair = pairWithEdgesOfFourCommonFaces();
+	Options options;
+	options.threads = 1;
+	for (const Property defect :
+	     {grid::measuresDefect, grid::deliveryDefect, grid::swapDefect, grid::numberingDefect}) {
+		EXPECT_EQ(defect(pair, options), "");
+	}
+	EXPECT_TRUE(run(meshOf(pair.a), meshOf(pair.b), options).status.ok());
+}
+
 // --- the test's own tools ----------------------------------------------------------------------
 
 TEST(GridOracle, doesNotDependOnTheAxisNorOnTheOrder) {
