@@ -36,7 +36,7 @@ const std::vector<Operation> kFourBlocks{Operation::Union, Operation::Intersecti
 struct CommandLine {
 	std::vector<std::string> files;
 	std::size_t spheres = 0, cubeAndSphere = 0, twinSpheres = 0;  // faces of a sphere; 0: not asked
-	std::array<std::size_t, 2> terrain{};        // faces of the terrain and of the sheet
+	std::array<std::size_t, 2> terrain{};  // faces of the terrain and of the sheet
 	bool split = false;
 	std::uint32_t gridBoxes = 0;  // squares along a side; 0: not asked
 	std::string placement = "none";
@@ -254,8 +254,8 @@ ordered_json describeBlocks(const Outcome& outcome) {
 // What decided how many signs since the last call; empty in a build that does not count.
 ordered_json describeSigns() {
 	const std::array<const char*, kPredicateCount> predicates{
-	    "pair_sieve", "orient3d", "orient2d", "curve_orient2d", "curve_order",
-	    "slopes", "rounding"};
+	    "pair_sieve",  "orient3d", "orient2d", "curve_orient2d",
+	    "curve_order", "slopes",   "rounding"};
 	const std::array<const char*, kDeciderCount> deciders{"double", "double_double", "integers",
 	                                                      "undecided"};
 	const SignCounts counts = takeSignCounts();
@@ -342,24 +342,29 @@ CommandLine parse(int argc, char** argv) {
 	CLI::Option_group& operands = *app.add_option_group("operands", "One of these");
 	operands.require_option(1);
 	operands.add_option("files", out.files, "Two meshes: PLY, STL, OBJ, OFF")->expected(2);
-	operands.add_option("--spheres", out.spheres,
-	               "Two unit spheres of about this many faces, 1 apart, instead of files")
+	operands
+	    .add_option("--spheres", out.spheres,
+	                "Two unit spheres of about this many faces, 1 apart, instead of files")
 	    ->check(CLI::PositiveNumber);
-	operands.add_option("--cube-and-sphere", out.cubeAndSphere,
-	               "A cube of side 1.6 and a unit sphere of about this many faces")
+	operands
+	    .add_option("--cube-and-sphere", out.cubeAndSphere,
+	                "A cube of side 1.6 and a unit sphere of about this many faces")
 	    ->check(CLI::PositiveNumber);
-	operands.add_option("--terrain", out.terrain,
-	               "A terrain over the unit square and a sheet that cuts it, of about this many "
-	               "faces each; they are split")
+	operands
+	    .add_option("--terrain", out.terrain,
+	                "A terrain over the unit square and a sheet that cuts it, of about this many "
+	                "faces each; they are split")
+	    ->check(CLI::PositiveNumber);
+	operands
+	    .add_option("--twin-spheres", out.twinSpheres,
+	                "One unit sphere of about this many faces, twice; --transform-second moves it")
+	    ->check(CLI::PositiveNumber);
+	operands
+	    .add_option("--grid-boxes", out.gridBoxes,
+	                "Two cubes whose walls are cut into N x N squares, with one wall in common, "
+	                "shifted in its plane: coplanar faces that overlap")
 	    ->check(CLI::PositiveNumber);
 	app.add_flag("--split", out.split, "Times the sub-surfaces and sub-blocks, not the blocks");
-	operands.add_option("--twin-spheres", out.twinSpheres,
-	               "One unit sphere of about this many faces, twice; --transform-second moves it")
-	    ->check(CLI::PositiveNumber);
-	operands.add_option("--grid-boxes", out.gridBoxes,
-	               "Two cubes whose walls are cut into N x N squares, with one wall in common, "
-	               "shifted in its plane: coplanar faces that overlap")
-	    ->check(CLI::PositiveNumber);
 	app.add_option("--place", out.placement,
 	               "standard: each centred, longest side 1, the second then turned by 0.7 rad "
 	               "about (1,2,3), and shifted by (0.05,0.04,0.03) if it is the same file")

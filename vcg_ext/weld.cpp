@@ -268,8 +268,8 @@ bool lexicographicallyBefore(const ExactPoint& a, const ExactPoint& b) {
 	return false;
 }
 
-// No curve goes along an edge all of whose faces have twins. Faces at it that are not quiet are seen
-// here, but not all of them, so nothing could be told from their order around it.
+// No curve goes along an edge all of whose faces have twins. Faces at it that are not quiet are
+// seen here, but not all of them, so nothing could be told from their order around it.
 void Welder::addLine(VertexId begin, VertexId end, std::uint32_t contact) {
 	if (!isQuiet(begin, end)) {
 		lines_.push_back({begin, end, contact});
