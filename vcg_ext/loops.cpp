@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Chains are walked from the junctions and open ends first; what is then left are cycles. Where
-// every segment is the crossing of two faces, the degree of a point tells all; elsewhere the faces
-// around it are asked.
+// every segment is the crossing of two faces, and at regular points everywhere, the degree of a
+// point tells all; elsewhere the faces around it are asked.
 #include "loops.h"
 
 #include "parallel.h"
@@ -96,14 +96,14 @@ private:
 	const Curve& curve_;
 	Monitor& monitor_;
 	bool allCross_ = true;
-	SurfaceComplex complex_;  // unless allCross_
+	SurfaceComplex complex_;  // of what lies at irregular points, unless allCross_
 	std::vector<std::uint8_t> visited_;
 };
 
 // Whether the curve passes a point: it has two segments there, and the faces at the one are, going
 // round the point, those at the other.
 bool Tracer::isPassed(const Incidence& incidence, VertexId point) const {
-	if (incidence.degree(point) != 2 || allCross_) {
+	if (incidence.degree(point) != 2 || allCross_ || at(curve_.irregular, point) == 0) {
 		return incidence.degree(point) == 2;
 	}
 	const VertexId before = incidence.otherEnd(incidence.segment(point, 0), point);
@@ -211,7 +211,7 @@ Status Tracer::run() {
 	                        [](const Segment& s) { return s.crossing; });
 	Status status;
 	if (!allCross_) {
-		status = buildComplex(arrangement_, ComplexOf::Pieces, monitor_, complex_);
+		status = buildComplex(arrangement_, ComplexOf::IrregularPoints, monitor_, complex_);
 	}
 	if (status.ok()) {
 		trace(Incidence(curve_, [this](const Segment& s) {

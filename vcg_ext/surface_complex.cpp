@@ -88,7 +88,8 @@ public:
 private:
 	void add(const Triangle& corners, FaceId source);
 	void addUncutFaces();
-	void addPieces();
+	void addPieces(ComplexOf part);
+	bool isIrregular(const Triangle& piece) const;
 	Status mergeCoincident();
 	Status merge(const FaceEntry* begin, const FaceEntry* end);
 	Status joinFaces();
@@ -120,15 +121,22 @@ void Builder::addUncutFaces() {
 	}
 }
 
-void Builder::addPieces() {
+bool Builder::isIrregular(const Triangle& piece) const {
+	const std::vector<std::uint8_t>& irregular = arrangement_.curve.irregular;
+	return (at(irregular, piece[0]) | at(irregular, piece[1]) | at(irregular, piece[2])) != 0;
+}
+
+void Builder::addPieces(ComplexOf part) {
 	const Refinement& refinement = arrangement_.refinement;
 	for (std::size_t i = 0; i < refinement.cutFaces.size(); ++i) {
 		const std::size_t end = i + 1 < refinement.cutFaces.size()
 		                            ? refinement.cutFaces[i + 1].firstPiece
 		                            : refinement.pieces.size();
 		for (std::size_t piece = refinement.cutFaces[i].firstPiece; piece < end; ++piece) {
-			maybeCoincident_.push_back(static_cast<std::uint32_t>(out_.faces.size()));
-			add(refinement.pieces[piece], refinement.cutFaces[i].face);
+			if (part == ComplexOf::Everything || isIrregular(refinement.pieces[piece])) {
+				maybeCoincident_.push_back(static_cast<std::uint32_t>(out_.faces.size()));
+				add(refinement.pieces[piece], refinement.cutFaces[i].face);
+			}
 		}
 	}
 }
@@ -240,7 +248,7 @@ Status Builder::run(ComplexOf part) {
 		out_.faces.reserve(mesh_.triangles.size() + arrangement_.refinement.pieces.size());
 		addUncutFaces();
 	}
-	addPieces();
+	addPieces(part);
 	Status status = checkCounts(vertexCount_, 3 * out_.faces.size());
 	if (status.ok()) {
 		status = mergeCoincident();

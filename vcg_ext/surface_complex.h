@@ -54,10 +54,10 @@ struct SurfaceComplex {
 	HalfEdgeId turnAround(HalfEdgeId from, VertexId around) const;
 };
 
-// Builds the complex of all triangles, or of the pieces of cut faces alone: all that lies at the
-// curve.
+// Builds the complex of all triangles, or only of the pieces with a corner at an irregular point of
+// the curve: everything around these points, and whole there.
 // \return Ok, Cancelled, OutOfMemory. Complexity: O(n + p log p) for n triangles, p of them pieces.
-enum class ComplexOf : std::uint8_t { Everything, Pieces };
+enum class ComplexOf : std::uint8_t { Everything, IrregularPoints };
 Status buildComplex(const Arrangement& arrangement, ComplexOf part, Monitor& monitor,
                     SurfaceComplex& out);
 

@@ -439,15 +439,13 @@ ExactPoint exactPoint(const Arrangement& arrangement, VertexId vertex) {
 int comparePlaces(const Arrangement& arrangement, VertexId a, VertexId b) {
 	const Point& p = arrangement.coordinates(a);
 	const Point& q = arrangement.coordinates(b);
+	if (p != q) {
+		return p < q ? -1 : 1;
+	}
 	const bool areInput = !arrangement.isCurvePoint(a) && !arrangement.isCurvePoint(b);
-	for (std::size_t k = 0; k < 3 && a != b; ++k) {
-		if (p[k] != q[k]) {
-			return p[k] < q[k] ? -1 : 1;  // rounding keeps the order
-		}
-		const int order = areInput
-		                      ? 0
-		                      : compareCoordinate(exactPoint(arrangement, a),
-		                                          exactPoint(arrangement, b), static_cast<int>(k));
+	for (int axis = 0; axis < 3 && a != b && !areInput; ++axis) {
+		const int order =
+		    compareCoordinate(exactPoint(arrangement, a), exactPoint(arrangement, b), axis);
 		if (order != 0) {
 			return order;
 		}

@@ -19,7 +19,8 @@ namespace index_boolean {
 // \param vertex an input vertex or a numbered curve point
 ExactPoint exactPoint(const Arrangement& arrangement, VertexId vertex);
 
-// Compares two vertices by their exact coordinates, lexicographically: -1, 0, +1.
+// An order of vertices that depends on their places only: by the rounded coordinates,
+// lexicographically, then, if all three are equal, by the exact ones. \return -1, 0, +1
 int comparePlaces(const Arrangement& arrangement, VertexId a, VertexId b);
 
 // A vertex's coordinates as they are delivered: the exact point, rounded once to the output scalar.
