@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Index Boolean authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// in: both operands' arrays; out: the curve as polylines and the sub-surfaces that it bounds, with all
-// that the result map and the log report. Free of MeshLab: any host's adapter runs it.
+// in: both operands' arrays; out: the curve as polylines and the sub-surfaces that it bounds, with
+// all that the result map and the log report. Free of MeshLab: any host's adapter runs it.
 #pragma once
 
 #include "progress.h"

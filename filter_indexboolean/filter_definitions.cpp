@@ -67,18 +67,36 @@ const ParameterDefinition kSecondSurface =
                    "The second operand, B: open or closed, another layer than the first.");
 
 const ParameterDefinition kCheckSelfIntersections{
-    "check_self_intersections", kBool, 0, 0, 1, false, "Check for self-intersections",
+    "check_self_intersections",
+    kBool,
+    0,
+    0,
+    1,
+    false,
+    "Check for self-intersections",
     "Searches each layer for faces that meet others of the same layer anywhere but in a common "
     "vertex or edge, before anything else; a layer that has any is refused, and all of them are "
     "selected. Off: self-intersections are noticed only where the other layer comes near."};
 
 const ParameterDefinition kOctreeMaxDepth{
-    "octree_max_depth", kInt, 12, 1, 20, true, "Octree: maximum depth",
+    "octree_max_depth",
+    kInt,
+    12,
+    1,
+    20,
+    true,
+    "Octree: maximum depth",
     "How often the octree that finds the pairs of faces to intersect may divide a node: 1 to 20. "
     "Changes the running time, never the result."};
 
 const ParameterDefinition kOctreeLeafSize{
-    "octree_leaf_size", kInt, 0, 0, 1000, true, "Octree: leaf size",
+    "octree_leaf_size",
+    kInt,
+    0,
+    0,
+    1000,
+    true,
+    "Octree: leaf size",
     "A node with a faces of A and b faces of B is not divided further if a times b is at most the "
     "square of this number: 0 to 1000. 0 lets the cost decide. Changes the running time, never the "
     "result."};
@@ -92,8 +110,9 @@ FilterDefinition booleanDefinition() {
 	    {
 	        layerParameter("first_mesh", 0, "First layer",
 	                       "The first operand, A: a closed surface."),
-	        layerParameter("second_mesh", 1, "Second layer",
-	                       "The second operand, B: a closed surface, another layer than the first."),
+	        layerParameter(
+	            "second_mesh", 1, "Second layer",
+	            "The second operand, B: a closed surface, another layer than the first."),
 	        {"union", kBool, 1, 0, 1, false, "Union",
 	         "A new layer with the boundary of all that is inside A or inside B."},
 	        {"intersection", kBool, 1, 0, 1, false, "Intersection",
@@ -107,8 +126,7 @@ FilterDefinition booleanDefinition() {
 	        {"merge_fragments", kBool, 1, 0, 1, false, "Merge fragments",
 	         "Cuts that separate nothing in a block are undone: fragments of one face become one "
 	         "again, and new points on its edges that serve nothing are dropped. Off: all cuts "
-	         "stay, "
-	         "so that blocks that touch have the same faces there."},
+	         "stay, so that blocks that touch have the same faces there."},
 	        {"merge_coplanar", kBool, 0, 0, 1, false, "Merge coplanar faces",
 	         "Neighbouring faces of a block that are exactly coplanar are merged too, and vertices "
 	         "inside straight edges are dropped: the fewest faces, at the cost of vertices and "
@@ -141,8 +159,8 @@ FilterDefinition splitDefinition() {
 	        {"sub_surfaces_second", kBool, 1, 0, 1, false, "Sub-surfaces of the second",
 	         "A new layer with B as it is cut by A, each sub-surface with a number and a colour."},
 	        {"sub_blocks", kBool, 1, 0, 1, false, "Sub-blocks",
-	         "A new layer with the closed boundaries of all parts of space that A and B bound, each "
-	         "with a number and a colour."},
+	         "A new layer with the closed boundaries of all parts of space that A and B bound, "
+	         "each with a number and a colour."},
 	        {"separate_layers", kBool, 0, 0, 1, false, "A layer for each piece",
 	         "Each sub-surface and each sub-block gets a layer of its own, as long as these are at "
 	         "most as many as stated below."},
@@ -187,8 +205,8 @@ const char* const kPluginName = "FilterIndexBoolean";
 const char* const kVendor = "The Index Boolean authors";
 
 const std::vector<FilterDefinition>& filterDefinitions() {
-	static const std::vector<FilterDefinition> definitions{
-	    booleanDefinition(), splitDefinition(), curvesDefinition()};
+	static const std::vector<FilterDefinition> definitions{booleanDefinition(), splitDefinition(),
+	                                                       curvesDefinition()};
 	return definitions;
 }
 

@@ -43,8 +43,8 @@ std::vector<LayerContent> contentsOf(const BooleanResult& result, const BooleanR
 	std::vector<LayerContent> contents;
 	for (const Block& block : result.blocks) {
 		LayerContent content;
-		content.label = QString::fromStdString(
-		    blockLabel(block.operation, names[0].label, names[1].label));
+		content.label =
+		    QString::fromStdString(blockLabel(block.operation, names[0].label, names[1].label));
 		content.points = &block.points;
 		content.triangles = &block.triangles;
 		content.faux = &block.faux;

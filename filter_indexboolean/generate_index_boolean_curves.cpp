@@ -40,9 +40,9 @@ FilterOutput generateIndexBooleanCurves(const ParameterValues& values, MeshDocum
 
 	const Stopwatch writing;
 	std::vector<MeshModel*> layers;
-	refuseUnlessOk(addLayers({curveContent(result.curves, read, operands.names)}, progress,
-	                         document, layers),
-	               operands.names);
+	refuseUnlessOk(
+	    addLayers({curveContent(result.curves, read, operands.names)}, progress, document, layers),
+	    operands.names);
 	seconds.writeLayers = writing.seconds();
 	seconds.total = total.seconds();
 

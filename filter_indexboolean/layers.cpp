@@ -62,8 +62,7 @@ std::size_t elementCount(const std::vector<LayerContent>& contents) {
 }
 
 void writeVertexAttribute(const ScalarAttribute& attribute, CMeshO& mesh) {
-	auto handle =
-	    vcg::tri::Allocator<CMeshO>::AddPerVertexAttribute<Scalarm>(mesh, attribute.name);
+	auto handle = vcg::tri::Allocator<CMeshO>::AddPerVertexAttribute<Scalarm>(mesh, attribute.name);
 	for (std::size_t i = 0; i < attribute.values.size(); ++i)
 		handle[i] = static_cast<Scalarm>(attribute.values[i]);
 }
@@ -85,9 +84,9 @@ void writeFaceColours(const std::vector<vcg::Color4b>& colours, MeshModel& layer
 // Fills a layer that has room for the content's vertices and faces.
 Status fillLayer(const LayerContent& content, Monitor& monitor, MeshModel& layer) {
 	static const std::vector<IndexedTriangle> kNoTriangles;
-	Status status =
-	    fillSurface(*content.points, content.triangles != nullptr ? *content.triangles : kNoTriangles,
-	                monitor, layer.cm);
+	Status status = fillSurface(*content.points,
+	                            content.triangles != nullptr ? *content.triangles : kNoTriangles,
+	                            monitor, layer.cm);
 	if (status.ok() && sizeOf(content.faux) > 0) {
 		status = fillFauxEdges(*content.faux, monitor, layer.cm);
 		layer.updateDataMask(MeshModel::MM_POLYGONAL);

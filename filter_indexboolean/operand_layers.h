@@ -41,7 +41,6 @@ void selectDefect(const Status& status, const OperandArrays& read, const Operand
 
 // What the core has changed in the operands, for the log.
 std::vector<std::string> operandMessages(const std::array<bool, 2>& turned,
-                                         const DuplicateFaces& duplicates,
-                                         const LayerNames& names);
+                                         const DuplicateFaces& duplicates, const LayerNames& names);
 
 }  // namespace index_boolean

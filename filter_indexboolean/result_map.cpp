@@ -56,7 +56,8 @@ void addSubSurfaces(const SplitResult& result, std::size_t operand, ResultMap& m
 	const std::vector<SubSurfaceId>& ids = result.split.surfaces.ofOperand[operand];
 	const std::string name = kPieceNames[operand];
 	const auto listOfSurfaces = [&](auto&& number) {
-		return listOf(ids, [&](SubSurfaceId id) { return number(at(result.split.surfaces.all, id)); });
+		return listOf(ids,
+		              [&](SubSurfaceId id) { return number(at(result.split.surfaces.all, id)); });
 	};
 	map[name] = toInt(ids.size());
 	map[name + "_areas"] = listOfSurfaces([](const SubSurface& s) { return s.area; });

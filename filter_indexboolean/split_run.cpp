@@ -73,7 +73,8 @@ Status runSplit(MeshArrays input, const SplitRequest& request, Progress& progres
                 SplitResult& result) {
 	const Stopwatch total;
 	Monitor arranging = progress.nextPhase(kArrangingShare);
-	Status status = arrangeSurfaces(std::move(input), request.options, arranging, result.arrangement);
+	Status status =
+	    arrangeSurfaces(std::move(input), request.options, arranging, result.arrangement);
 	result.stageTimes = result.arrangement.stageTimes;
 	if (status.ok()) {
 		Monitor monitor = progress.nextPhase(kFindingShare);

@@ -17,8 +17,8 @@ struct SplitRequest {
 	Options options;
 	std::array<bool, 2> subSurfaces{true, true};  // of each operand
 	bool subBlocks = true;
-	bool separateLayers = false;    // a layer for each piece
-	std::size_t maxLayers = 64;     // above which separateLayers is not followed
+	bool separateLayers = false;  // a layer for each piece
+	std::size_t maxLayers = 64;   // above which separateLayers is not followed
 };
 
 // The arrangement, what it is cut into, and the meshes of what was asked for.
