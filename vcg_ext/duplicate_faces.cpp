@@ -8,6 +8,7 @@
 
 #include "mesh_checks.h"
 #include "parallel.h"
+#include "self_intersecting.h"
 
 #include <algorithm>
 
@@ -178,19 +179,15 @@ Status findAllDuplicates(const Arrangement& arrangement, Monitor& monitor, Judge
 // Equal faces without which the operand is open: the winding numbers on their two sides differ by
 // two or more, so the operand overlaps itself on one of them.
 Status refuse(const Arrangement& arrangement, std::size_t operand, const Duplicates& duplicates) {
-	Status status;
-	status.code = StatusCode::SelfIntersecting;
-	status.operand = static_cast<int>(operand);
-	status.hasPlace = true;
+	const MeshArrays& mesh = arrangement.mesh;
 	const std::uint32_t first = duplicates.firsts.front();
-	status.place = at(arrangement.mesh.points, arrangement.mesh.triangles[first][0]);
-	for (const auto* faces : {&duplicates.firsts, &duplicates.repeated}) {
-		for (const std::uint32_t face : *faces)
-			status.faces.push_back(arrangement.givenFace({face}));
+	std::vector<FaceId> faces;
+	for (const auto* list : {&duplicates.firsts, &duplicates.repeated}) {
+		for (const std::uint32_t face : *list)
+			faces.push_back({face});
 	}
-	std::sort(status.faces.begin(), status.faces.end());
-	status.count = status.faces.size();
-	return status;
+	return selfIntersecting(arrangement, static_cast<int>(operand), faces,
+	                        at(mesh.points, mesh.triangles[first][0]));
 }
 
 // Decides whether the repeated faces of an operand go, stay because the operand is open anyway, or

@@ -7,6 +7,7 @@
 
 #include "exact_sign.h"
 #include "parallel.h"
+#include "self_intersecting.h"
 #include "weld.h"
 
 #include <algorithm>
@@ -200,14 +201,9 @@ int Caster::compare(const DeepHit& a, const DeepHit& b) const {
 
 // Two faces that are not the same overlap here.
 Status refuseOverlap(const Arrangement& arrangement, FaceId face) {
-	Status status;
-	status.code = StatusCode::SelfIntersecting;
-	status.operand = arrangement.mesh.operandOf(face);
-	status.count = 1;
-	status.faces = {arrangement.givenFace(face)};
-	status.hasPlace = true;
-	status.place = at(arrangement.mesh.points, at(arrangement.mesh.triangles, face)[0]);
-	return status;
+	const MeshArrays& mesh = arrangement.mesh;
+	return selfIntersecting(arrangement, mesh.operandOf(face), {face},
+	                        at(mesh.points, at(mesh.triangles, face)[0]));
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include "exact_sign.h"
 #include "parallel.h"
 #include "planar_sweep.h"
+#include "self_intersecting.h"
 #include "weld.h"
 
 #include <algorithm>
@@ -485,25 +486,21 @@ void concatenate(const std::vector<ChunkPieces>& chunks, const Arrangement& arra
 // The other operand's faces with segments on a face that could not be cut.
 Status refuseFace(const Arrangement& arrangement, FaceId face) {
 	const Curve& curve = arrangement.curve;
-	Status status;
-	status.code = StatusCode::SelfIntersecting;
-	status.operand = 1 - arrangement.mesh.operandOf(face);
-	status.hasPlace = true;
-	status.place = at(arrangement.mesh.points, at(arrangement.mesh.triangles, face)[0]);
+	const MeshArrays& mesh = arrangement.mesh;
+	const int operand = 1 - mesh.operandOf(face);
+	std::vector<FaceId> faces;
 	std::vector<std::uint8_t> onFace(curve.segments.size());
 	const FaceLines lines = linesOf(curve, face);
 	for (const FaceSegment* s = lines.segments; s != lines.segmentsEnd; ++s) {
 		at(onFace, s->segment) = 1;
 	}
 	for (const FaceSegment& s : curve.faceSegments) {
-		if (at(onFace, s.segment) != 0 && arrangement.mesh.operandOf(s.face) == status.operand) {
-			status.faces.push_back(arrangement.givenFace(s.face));
+		if (at(onFace, s.segment) != 0 && mesh.operandOf(s.face) == operand) {
+			faces.push_back(s.face);
 		}
 	}
-	std::sort(status.faces.begin(), status.faces.end());
-	status.faces.erase(std::unique(status.faces.begin(), status.faces.end()), status.faces.end());
-	status.count = status.faces.size();
-	return status;
+	return selfIntersecting(arrangement, operand, faces,
+	                        at(mesh.points, at(mesh.triangles, face)[0]));
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 #include "line_hits.h"
 #include "parallel.h"
 #include "radial_order.h"
+#include "self_intersecting.h"
 #include "union_find.h"
 
 #include <algorithm>
@@ -90,14 +91,9 @@ Status Assembler::uniteAround(const PartingEdge& edge) {
 		sorted = places[i].slot != places[i + 1].slot;
 	}
 	if (!sorted) {
-		Status status;
-		status.code = StatusCode::SelfIntersecting;
-		status.operand = arrangement_.mesh.operandOf(halfPlanes[0].face);
-		status.count = 1;
-		status.faces = {arrangement_.givenFace(halfPlanes[0].face)};
-		status.hasPlace = true;
-		status.place = arrangement_.coordinates(edge.low);
-		return status;
+		const FaceId face = halfPlanes[0].face;
+		return selfIntersecting(arrangement_, arrangement_.mesh.operandOf(face), {face},
+		                        arrangement_.coordinates(edge.low));
 	}
 	// Going round, a face to the left of the edge is met from behind and left in front.
 	for (std::size_t i = 0; i < places.size(); ++i) {
@@ -254,20 +250,16 @@ int Assembler::windingStep(std::size_t operand, std::uint32_t surface) const {
 
 // A closed operand that does not part space consistently intersects itself.
 Status Assembler::refuseWindings(std::size_t operand, std::uint32_t surface) const {
-	Status status;
-	status.code = StatusCode::SelfIntersecting;
-	status.operand = static_cast<int>(operand);
-	status.hasPlace = true;
 	const SubSurface& wrong = surfaces_.all[surface];
+	std::vector<FaceId> faces;
+	VertexId corner{};
 	for (std::uint32_t i = wrong.firstFace; i < wrong.firstFace + wrong.faceCount; ++i) {
 		const RefinedFace& face = complex_.faces[surfaces_.faces[i]];
-		status.faces.push_back(arrangement_.givenFace(face.sources[operand]));
-		status.place = arrangement_.coordinates(face.corners[0]);
+		faces.push_back(face.sources[operand]);
+		corner = face.corners[0];
 	}
-	std::sort(status.faces.begin(), status.faces.end());
-	status.faces.erase(std::unique(status.faces.begin(), status.faces.end()), status.faces.end());
-	status.count = status.faces.size();
-	return status;
+	return selfIntersecting(arrangement_, static_cast<int>(operand), faces,
+	                        arrangement_.coordinates(corner));
 }
 
 // Goes from block to block through the sub-surfaces between them, from the outside on.

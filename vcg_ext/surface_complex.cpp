@@ -7,6 +7,7 @@
 
 #include "mesh_checks.h"
 #include "parallel.h"
+#include "self_intersecting.h"
 
 #include <algorithm>
 
@@ -159,19 +160,15 @@ Status Builder::merge(const FaceEntry* begin, const FaceEntry* end) {
 		isMerged_[(begin + 1)->face] = 1;
 		return {};
 	}
-	Status status;
-	status.code = StatusCode::SelfIntersecting;
-	status.operand = mesh_.operandOf(first.source());
-	status.hasPlace = true;
-	status.place = arrangement_.coordinates(begin->low);
+	const int operand = mesh_.operandOf(first.source());
+	std::vector<FaceId> faces;
 	for (const FaceEntry* e = begin; e != end; ++e) {
 		const FaceId source = out_.faces[e->face].source();
-		if (mesh_.operandOf(source) == status.operand) {
-			status.faces.push_back(arrangement_.givenFace(source));
+		if (mesh_.operandOf(source) == operand) {
+			faces.push_back(source);
 		}
 	}
-	status.count = status.faces.size();
-	return status;
+	return selfIntersecting(arrangement_, operand, faces, arrangement_.coordinates(begin->low));
 }
 
 Status Builder::mergeCoincident() {

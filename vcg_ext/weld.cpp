@@ -6,6 +6,7 @@
 #include "weld.h"
 
 #include "parallel.h"
+#include "self_intersecting.h"
 
 #include <algorithm>
 #include <atomic>
@@ -216,10 +217,8 @@ bool Welder::sortAlongEdge(const CutEdge& edge, VertexId* points) const {
 
 // Two points of contact in one place: faces of the other operand meet there without a common edge.
 Status Welder::refuseCoincidentPoints(const CutEdge& edge) const {
-	Status status;
-	status.code = StatusCode::SelfIntersecting;
-	status.hasPlace = true;
-	status.place = at(mesh_.points, edge.low);
+	int operand = -1;
+	std::vector<FaceId> faces;
 	for (const NamedContact& contact : contacts_.pairs) {
 		for (const FaceId face : {contact.a, contact.b}) {
 			const Triangle& t = at(mesh_.triangles, face);
@@ -227,15 +226,12 @@ Status Welder::refuseCoincidentPoints(const CutEdge& edge) const {
 			                     std::count(t.begin(), t.end(), edge.high) != 0;
 			if (hasEdge) {
 				const FaceId other = face == contact.a ? contact.b : contact.a;
-				status.operand = mesh_.operandOf(other);
-				status.faces.push_back(arrangement_.givenFace(other));
+				operand = mesh_.operandOf(other);
+				faces.push_back(other);
 			}
 		}
 	}
-	std::sort(status.faces.begin(), status.faces.end());
-	status.faces.erase(std::unique(status.faces.begin(), status.faces.end()), status.faces.end());
-	status.count = status.faces.size();
-	return status;
+	return selfIntersecting(arrangement_, operand, faces, at(mesh_.points, edge.low));
 }
 
 Status Welder::sortPointsOnEdges() {
