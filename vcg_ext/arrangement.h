@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Index Boolean authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The arrangement: everything one intersection run knows, as plain arrays. Computed once by
-// arrange(); every output (blocks now, sub-surfaces and curves later) is read from it.
+// The arrangement: everything one intersection run knows, as plain arrays. Computed once; every
+// output (blocks, sub-surfaces, sub-blocks, curves) is read from it.
 #pragma once
 
 #include "mesh_arrays.h"

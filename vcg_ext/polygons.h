@@ -19,17 +19,19 @@ namespace index_boolean {
 int commonFront(const MeshArrays& mesh, FaceId a, FaceId b);
 
 // Joins the faces of each operand to polygons, across edges that both their faces call faux; an
-// edge that one face alone calls faux, or that has more than two faces, joins none:
-// arrangement.mesh.faux keeps those only that join. \pre arrangement.nonManifold is known \param
-// arrangement its polygons are filled, its mesh.faux is changed \return Ok, Cancelled or
-// OutOfMemory Complexity: O(n + k log k) for k faux edges, each operand on a thread.
+// edge that one face alone calls faux, or that has more than two faces, joins none.
+// \pre arrangement.nonManifold is known
+// \param arrangement its polygons are filled; its mesh.faux keeps those edges only that join
+// \return Ok, Cancelled or OutOfMemory
+// Complexity: O(n + k log k) for n faces and k faux edges, each operand on a thread.
 Status joinPolygons(Arrangement& arrangement, Monitor& monitor);
 
 // Fills block.faux: the faux edges of polygons of which all faces are there as they were; else
 // those inside each set of neighbouring pieces of one polygon, if the set is a simple polygon.
-// Where faces have been merged across polygons (options.mergeCoplanar) only the former. \param
-// block finished \return Ok, Cancelled or OutOfMemory Complexity: O(n + k log k) for k faces of cut
-// polygons.
+// Where faces have been merged across polygons (options.mergeCoplanar) only the former.
+// \param block finished, but for its faux edges
+// \return Ok, Cancelled or OutOfMemory
+// Complexity: O(n + k log k) for n faces, k of them in cut polygons.
 Status findFauxEdges(const Arrangement& arrangement, Monitor& monitor, Block& block);
 
 }  // namespace index_boolean
