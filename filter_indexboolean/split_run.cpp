@@ -16,28 +16,12 @@ namespace {
 
 constexpr double kArrangingShare = 0.4, kFindingShare = 0.2, kMeshesShare = 0.1;
 
-// Adds up what each stage took for all meshes.
-void addTimes(const std::vector<StageTime>& times, std::vector<StageTime>& sums) {
-	for (const StageTime& time : times) {
-		const auto sameStage = [&](const StageTime& sum) {
-			return std::string(sum.stage) == time.stage;
-		};
-		const auto sum = std::find_if(sums.begin(), sums.end(), sameStage);
-		if (sum == sums.end())
-			sums.push_back(time);
-		else
-			sum->seconds += time.seconds;
-	}
-}
-
 Status collectSurfaceMeshes(const SplitRequest& request, Monitor& monitor, SplitResult& result) {
 	Status status;
 	for (std::size_t operand = 0; operand < 2 && status.ok(); ++operand) {
 		SplitMesh& mesh = result.surfaceMeshes[operand];
-		if (request.subSurfaces[operand]) {
+		if (request.subSurfaces[operand])
 			status = extractSubSurfaces(result.arrangement, result.split, operand, monitor, mesh);
-			addTimes(mesh.stageTimes, result.stageTimes);
-		}
 	}
 	return status;
 }
@@ -48,7 +32,6 @@ Status collectBlockMeshes(Monitor& monitor, SplitResult& result) {
 	for (std::size_t i = 0; i < result.blockMeshes.size() && status.ok(); ++i) {
 		status = extractSubBlock(result.arrangement, result.split, makeId<SubBlockTag>(i), monitor,
 		                         result.blockMeshes[i]);
-		addTimes(result.blockMeshes[i].stageTimes, result.stageTimes);
 	}
 	return status;
 }
@@ -79,7 +62,8 @@ Status runSplit(MeshArrays input, const SplitRequest& request, Progress& progres
 	if (status.ok()) {
 		Monitor monitor = progress.nextPhase(kFindingShare);
 		status = split(result.arrangement, monitor, result.split);
-		addTimes(result.split.stageTimes, result.stageTimes);
+		const std::vector<StageTime>& times = result.split.stageTimes;
+		result.stageTimes.insert(result.stageTimes.end(), times.begin(), times.end());
 	}
 	if (status.ok()) {
 		Monitor monitor = progress.nextPhase(kMeshesShare);

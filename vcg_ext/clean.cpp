@@ -661,4 +661,17 @@ Status removeVertices(const std::vector<std::uint32_t>& vertices, int threads, M
 	return statusOf(StatusCode::OutOfMemory);
 }
 
+Status cleanMesh(FaceRange range, int threads, Monitor& monitor, std::vector<Point>& points,
+                 std::vector<IndexTriangle>& triangles, CleanResult& result) {
+	std::vector<std::uint32_t> zeroAreaFaces;
+	Status status = findZeroAreaFaces(points, triangles, range, threads, monitor, zeroAreaFaces);
+	if (status.ok())
+		status = cleanSurface(points, zeroAreaFaces, threads, monitor, triangles, result);
+	if (status.ok()) {
+		status = removeVertices(result.unreferenced, threads, monitor, points, triangles,
+		                        result.vertices);
+	}
+	return status;
+}
+
 }  // namespace index_boolean

@@ -46,6 +46,7 @@ struct CleanResult {
 	std::size_t zeroAreaFacesRemoved = 0;
 	std::size_t oppositeFacesRemoved = 0;  // faces with area that fell on their opposite
 	std::size_t facesSplit = 0;            // faces with area, across a vertex on their edge
+	Relocation vertices;                   // done to the points, by cleanMesh alone
 };
 
 // Removes the zero-area faces from a surface.
@@ -60,6 +61,16 @@ struct CleanResult {
 Status cleanSurface(const std::vector<Point>& points,
                     const std::vector<std::uint32_t>& zeroAreaFaces, int threads, Monitor& monitor,
                     std::vector<IndexTriangle>& triangles, CleanResult& result);
+
+// Finds the zero-area faces among some faces, removes them, and then the vertices that have lost
+// their last face.
+// \param range     the faces that may have zero area
+// \param threads   0: as many as OpenMP gives
+// \param points, triangles changed in place; meaningful only if the status is Ok
+// \param result    replaced; `looked` are numbers from before its `vertices` were relocated
+// \return as cleanSurface. Complexity: that of findZeroAreaFaces, cleanSurface and removeVertices.
+Status cleanMesh(FaceRange range, int threads, Monitor& monitor, std::vector<Point>& points,
+                 std::vector<IndexTriangle>& triangles, CleanResult& result);
 
 // Removes vertices that no face refers to; the last ones take their places.
 // \param vertices  to be removed, ascending, each once

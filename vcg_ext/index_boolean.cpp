@@ -79,27 +79,17 @@ Status cleanBlock(const Options& options, Monitor& monitor, Block& block) {
 	// In double only pieces have rounded corners; in float every face may have.
 	const bool piecesOnly = options.outputScalar == OutputScalar::Double;
 	const FaceRange range{piecesOnly ? block.firstPiece : 0, block.triangles.size()};
-	std::vector<std::uint32_t> zeroAreaFaces;
 	CleanResult cleaned;
-	Relocation relocated;
-	Status status = findZeroAreaFaces(block.points, block.triangles, range, options.threads,
-	                                  monitor, zeroAreaFaces);
+	const Status status =
+	    cleanMesh(range, options.threads, monitor, block.points, block.triangles, cleaned);
 	if (status.ok()) {
-		status = cleanSurface(block.points, zeroAreaFaces, options.threads, monitor,
-		                      block.triangles, cleaned);
-	}
-	if (status.ok()) {
-		cleaned.faces.apply(block.faceSource);
 		block.zeroAreaFacesRemoved = cleaned.zeroAreaFacesRemoved;
 		for (const std::uint32_t vertex : cleaned.looked) {
 			block.suspect[vertex] = 1;
 		}
-		status = removeVertices(cleaned.unreferenced, options.threads, monitor, block.points,
-		                        block.triangles, relocated);
-	}
-	if (status.ok()) {
-		relocated.apply(block.vertexSource);
-		relocated.apply(block.suspect);
+		cleaned.faces.apply(block.faceSource);
+		cleaned.vertices.apply(block.vertexSource);
+		cleaned.vertices.apply(block.suspect);
 	}
 	return status;
 }

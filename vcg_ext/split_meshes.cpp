@@ -1,5 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Index Boolean authors
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Faces of the complex are chosen, then written with new numbers for their vertices, in the order
+// of the old ones: so a mesh does not depend on the others.
 #include "split_meshes.h"
 
 #include "clean.h"
@@ -105,27 +108,16 @@ Status Collector::placeVertices() {
 }
 
 Status Collector::clean() {
-	const int threads = arrangement_.options.threads;
-	std::vector<std::uint32_t> zeroAreaFaces;
 	CleanResult cleaned;
-	Relocation relocated;
-	Status status =
-	    findZeroAreaFaces(out_.points, out_.triangles, FaceRange{0, out_.triangles.size()}, threads,
-	                      monitor_, zeroAreaFaces);
+	const Status status =
+	    cleanMesh(FaceRange{0, out_.triangles.size()}, arrangement_.options.threads, monitor_,
+	              out_.points, out_.triangles, cleaned);
 	if (status.ok()) {
-		status =
-		    cleanSurface(out_.points, zeroAreaFaces, threads, monitor_, out_.triangles, cleaned);
-	}
-	if (status.ok()) {
+		out_.zeroAreaFacesRemoved = cleaned.zeroAreaFacesRemoved;
 		cleaned.faces.apply(out_.faceSource);
 		cleaned.faces.apply(out_.subSurface);
 		cleaned.faces.apply(out_.beside);
-		out_.zeroAreaFacesRemoved = cleaned.zeroAreaFacesRemoved;
-		status = removeVertices(cleaned.unreferenced, threads, monitor_, out_.points,
-		                        out_.triangles, relocated);
-	}
-	if (status.ok()) {
-		relocated.apply(out_.vertexSource);
+		cleaned.vertices.apply(out_.vertexSource);
 	}
 	return status;
 }

@@ -20,7 +20,6 @@ struct SplitMesh {
 	std::vector<SubSurfaceId> subSurface;
 	std::vector<std::array<std::int32_t, 2>> beside;  // blocks in front of the face and behind it
 	std::size_t zeroAreaFacesRemoved = 0;
-	std::vector<StageTime> stageTimes;
 };
 
 // The mesh of all sub-surfaces of one operand: that operand with its cuts, turned as it was given.
