@@ -8,6 +8,8 @@
 #include "generate_index_boolean_curves.h"
 #include "generate_index_boolean_split.h"
 
+#include <stdexcept>
+
 namespace index_boolean {
 
 FilterOutput runFilter(FilterId filter, const ParameterValues& values, MeshDocument& document,

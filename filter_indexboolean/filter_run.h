@@ -8,22 +8,14 @@
 #pragma once
 
 #include "filter_definitions.h"
+#include "filter_output.h"
 #include "parameter_values.h"
 #include "progress.h"
 #include "refusal.h"
-#include "result_map.h"
 
 #include <host_document.h>
 
-#include <string>
-#include <vector>
-
 namespace index_boolean {
-
-struct FilterOutput {
-	ResultMap map;
-	std::vector<std::string> messages;
-};
 
 // \param callback of the host; may be null
 // Throws Refusal; and whatever the host or the standard library throws, for messageOfCaught.

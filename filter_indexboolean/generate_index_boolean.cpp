@@ -88,14 +88,11 @@ FilterOutput generateIndexBoolean(const ParameterValues& values, MeshDocument& d
 	Progress progress(progressCallback(callback));
 	AdapterSeconds seconds{};
 
-	OperandArrays read;
-	refuseUnlessOk(readLayers(operands.layers, progress, read), operands.names);
+	OperandArrays read = readOperands(operands, progress);
 	seconds.readLayers = total.seconds();
 
 	BooleanResult result;
-	const Status status = runBoolean(std::move(read.arrays), request, progress, result);
-	selectDefect(status, read, operands);
-	refuseUnlessOk(status, operands.names);
+	refuseDefect(runBoolean(std::move(read.arrays), request, progress, result), read, operands);
 
 	const Stopwatch writing;
 	std::vector<MeshModel*> layers;

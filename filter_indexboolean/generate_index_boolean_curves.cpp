@@ -29,14 +29,11 @@ FilterOutput generateIndexBooleanCurves(const ParameterValues& values, MeshDocum
 	Progress progress(progressCallback(callback));
 	AdapterSeconds seconds{};
 
-	OperandArrays read;
-	refuseUnlessOk(readLayers(operands.layers, progress, read), operands.names);
+	OperandArrays read = readOperands(operands, progress);
 	seconds.readLayers = total.seconds();
 
 	CurvesResult result;
-	const Status status = runCurves(std::move(read.arrays), options, progress, result);
-	selectDefect(status, read, operands);
-	refuseUnlessOk(status, operands.names);
+	refuseDefect(runCurves(std::move(read.arrays), options, progress, result), read, operands);
 
 	const Stopwatch writing;
 	std::vector<MeshModel*> layers;

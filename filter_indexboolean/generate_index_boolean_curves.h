@@ -4,7 +4,11 @@
 // The filter of that name: two layers in, one layer with the polylines of their intersection out.
 #pragma once
 
-#include "filter_run.h"
+#include "filter_output.h"
+#include "parameter_values.h"
+#include "progress.h"
+
+#include <host_document.h>
 
 namespace index_boolean {
 

@@ -109,14 +109,11 @@ FilterOutput generateIndexBooleanSplit(const ParameterValues& values, MeshDocume
 	Progress progress(progressCallback(callback));
 	AdapterSeconds seconds{};
 
-	OperandArrays read;
-	refuseUnlessOk(readLayers(operands.layers, progress, read), operands.names);
+	OperandArrays read = readOperands(operands, progress);
 	seconds.readLayers = total.seconds();
 
 	SplitResult result;
-	const Status status = runSplit(std::move(read.arrays), request, progress, result);
-	selectDefect(status, read, operands);
-	refuseUnlessOk(status, operands.names);
+	refuseDefect(runSplit(std::move(read.arrays), request, progress, result), read, operands);
 
 	const Stopwatch writing;
 	const std::vector<SplitLayer> layers = splitLayers(result, request, operands.names);

@@ -122,8 +122,7 @@ std::string unknownLayerMessage(const ParameterDefinition& parameter, int id) {
 std::string sameLayerMessage(const LayerName& layer) {
 	return "Layer " + quoted(layer) +
 	       " is given as both first_mesh and second_mesh. Choose two layers; a layer is copied "
-	       "with "
-	       "\"Duplicate Current layer\" (generate_copy_of_current_mesh).";
+	       "with \"Duplicate Current layer\" (generate_copy_of_current_mesh).";
 }
 
 std::string outOfRangeMessage(const ParameterDefinition& parameter, int value) {

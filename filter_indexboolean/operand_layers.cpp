@@ -58,10 +58,17 @@ void refuseUnlessOk(const Status& status, const LayerNames& names) {
 		throw Refusal(refusalMessage(status, names));
 }
 
-void selectDefect(const Status& status, const OperandArrays& read, const OperandLayers& operands) {
+void refuseDefect(const Status& status, const OperandArrays& read, const OperandLayers& operands) {
 	const std::size_t operand = status.operand == 1 ? 1 : 0;
 	if (!status.faces.empty())
 		selectFaces(status.faces, read.faces[operand], *operands.layers[operand]);
+	refuseUnlessOk(status, operands.names);
+}
+
+OperandArrays readOperands(const OperandLayers& operands, Progress& progress) {
+	OperandArrays read;
+	refuseUnlessOk(readLayers(operands.layers, progress, read), operands.names);
+	return read;
 }
 
 std::vector<std::string> operandMessages(const std::array<bool, 2>& turned,

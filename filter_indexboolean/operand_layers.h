@@ -7,6 +7,7 @@
 
 #include "layers.h"
 #include "parameter_values.h"
+#include "progress.h"
 #include "refusal.h"
 
 #include <vcg_ext/arrangement.h>
@@ -36,8 +37,11 @@ Options readCommonOptions(FilterId filter, const ParameterValues& values);
 // Throws Refusal with the status's sentence.
 void refuseUnlessOk(const Status& status, const LayerNames& names);
 
-// Leaves the status's faces selected in its layer, if it has any.
-void selectDefect(const Status& status, const OperandArrays& read, const OperandLayers& operands);
+// The same, with the status's faces left selected in the layer that they have been read from.
+void refuseDefect(const Status& status, const OperandArrays& read, const OperandLayers& operands);
+
+// Both operands' arrays; throws Refusal if they cannot be read.
+OperandArrays readOperands(const OperandLayers& operands, Progress& progress);
 
 // What the core has changed in the operands, for the log.
 std::vector<std::string> operandMessages(const std::array<bool, 2>& turned,
