@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The Index Boolean authors
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Exact Booleans of closed triangle meshes for pymeshlab.
+"""Exact Booleans, splits and intersection curves of triangle meshes for pymeshlab.
 
     import indexboolean, pymeshlab
 
@@ -10,7 +10,7 @@
     ms.load_new_mesh("b.ply")
     result = ms.generate_index_boolean(first_mesh=0, second_mesh=1)
 
-Command line: python -m indexboolean boolean a.ply b.ply -o DIR
+Command line: python -m indexboolean boolean|split|curves a.ply b.ply -o DIR
 """
 
 from .plugin import HostError, load_plugin, plugin_path

@@ -2,8 +2,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """in: two mesh files and a set of blocks; out: one file per block and result.json."""
 
-from .job import Job
-
 BLOCKS = (
     "union",
     "intersection",
@@ -15,14 +13,12 @@ DEFAULT_BLOCKS = BLOCKS[:4]
 FORMATS = ("ply", "obj", "off", "stl")
 
 
-def run_boolean_job(first, second, folder, blocks, file_format, on_progress, **parameters):
+def run_boolean_job(job, blocks, file_format, **parameters):
     """Writes folder/<block>.<file_format> for each of blocks, then folder/result.json.
 
-    first, second, folder and on_progress are those of Job; parameters are those of the filter that
-    are not named here. Returns (the filter's result map, the messages that it logged). Raises as
-    Job.
+    parameters are those of the filter that are not named here. Returns (the filter's result map,
+    the messages that it logged). Raises as Job.
     """
-    job = Job(first, second, folder, on_progress)
     parameters.update((block, block in blocks) for block in BLOCKS)
     result, messages = job.run("generate_index_boolean", **parameters)
     files = {block: f"{block}.{file_format}" for block in BLOCKS if block in blocks}

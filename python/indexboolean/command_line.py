@@ -18,9 +18,10 @@ from rich.table import Column, Table
 
 from .boolean_job import BLOCKS, DEFAULT_BLOCKS, FORMATS, run_boolean_job
 from .curves_job import LOOP_KINDS, run_curves_job
-from .job import JobError
+from .job import Job, JobError
 from .plugin import HostError
 from .split_job import PIECES, run_split_job
+
 
 def main(arguments=None):
     """Runs one command; returns the exit status."""
@@ -69,10 +70,6 @@ def _add_filter_option(command, name, *flags, **details):
     """An option that is a parameter of the filter, by the same name."""
     command.add_argument(*flags, dest=name, **details)
     command.get_default("filter_options").append(name)
-
-
-def _filter_parameters(options):
-    return {name: getattr(options, name) for name in options.filter_options}
 
 
 def _add_boolean(commands):
@@ -154,43 +151,33 @@ def _names(text, what, known):
 
 
 def _run_boolean(options):
-    def job(on_progress):
-        return run_boolean_job(
-            options.first, options.second, options.folder, options.only, options.format,
-            on_progress, **_filter_parameters(options),
-        )
+    def run(job, **parameters):
+        return run_boolean_job(job, options.only, options.format, **parameters)
 
-    return _run_job(job, lambda result: _print_blocks(result, options.only))
+    return _run_job(options, run, lambda result: _print_blocks(result, options.only))
 
 
 def _run_split(options):
-    def job(on_progress):
-        return run_split_job(
-            options.first, options.second, options.folder, options.only, on_progress,
-            **_filter_parameters(options),
-        )
+    def run(job, **parameters):
+        return run_split_job(job, options.only, **parameters)
 
-    return _run_job(job, _print_pieces)
+    return _run_job(options, run, _print_pieces)
 
 
 def _run_curves(options):
-    def job(on_progress):
-        return run_curves_job(
-            options.first, options.second, options.folder, on_progress,
-            **_filter_parameters(options),
-        )
-
-    return _run_job(job, _print_curves)
+    return _run_job(options, run_curves_job, _print_curves)
 
 
-def _run_job(job, print_result):
-    """Runs job(on_progress), prints what it logs and its result; returns the exit status."""
+def _run_job(options, run, print_result):
+    """Calls run(job, **parameters), prints what it logs and its result; returns the exit status."""
+    parameters = {name: getattr(options, name) for name in options.filter_options}
     # A console on a descriptor of its own: the host's calls borrow the process's standard error.
     with os.fdopen(os.dup(2), "w") as stderr:
         console = Console(file=stderr, soft_wrap=True, highlight=False)
         try:
             with _progress_bar(console) as on_progress:
-                result, messages = job(on_progress)
+                job = Job(options.first, options.second, options.folder, on_progress)
+                result, messages = run(job, **parameters)
         except (HostError, JobError, OSError) as error:
             console.print(f"error: {error}", style="red", markup=False)
             return 1
@@ -231,8 +218,8 @@ def _print_table(table, result, remark=""):
     console = Console(soft_wrap=True, highlight=False)
     console.print(table)
     console.print(
-        f"{result['seconds_core']:.3f} seconds for the core, {result['seconds_total']:.3f} with the "
-        f"layers{remark}"
+        f"{result['seconds_core']:.3f} seconds for the core, {result['seconds_total']:.3f} with "
+        f"the layers{remark}"
     )
 
 

@@ -2,18 +2,15 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """in: two mesh files; out: their intersection curve as an OBJ file with edges, and result.json."""
 
-from .job import Job
-
 LOOP_KINDS = ("open", "hard_closed", "soft_closed")
 
 
-def run_curves_job(first, second, folder, on_progress, **parameters):
+def run_curves_job(job, **parameters):
     """Writes folder/curves.obj and folder/result.json, which lists the loops.
 
-    first, second, folder and on_progress are those of Job; parameters are those of the filter.
-    Returns (the filter's result map, the messages that it logged). Raises as Job.
+    parameters are those of the filter. Returns (the filter's result map, the messages that it
+    logged). Raises as Job.
     """
-    job = Job(first, second, folder, on_progress)
     result, messages = job.run("generate_index_boolean_curves", **parameters)
     job.save(result["curves_layer"], "curves.obj", save_vertex_normal=False)
     job.write_record({"curves": "curves.obj"}, {**result, "loops": loops_of(result)})

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The Index Boolean authors
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What the jobs of all commands share: two mesh files in, a filter's run, files and a record out."""
+"""What all commands share: two mesh files in, a filter's run, files and a record out."""
 
 import json
 import math

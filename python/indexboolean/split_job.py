@@ -2,21 +2,17 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """in: two mesh files; out: their sub-surfaces and sub-blocks as PLY files, and result.json."""
 
-from .job import Job
-
 PIECES = ("sub_surfaces_first", "sub_surfaces_second", "sub_blocks")
 _NUMBERS = ("source_mesh", "source_face", "sub_surface", "block_front", "block_back")
 
 
-def run_split_job(first, second, folder, pieces, on_progress, **parameters):
+def run_split_job(job, pieces, **parameters):
     """Writes folder/<kind>.ply for each of pieces, then folder/result.json.
 
     With separate_layers, as long as max_layers allows it, a file for each piece:
-    <kind>_<number>.ply. first, second, folder and on_progress are those of Job; parameters are those
-    of the filter that are not named here. Returns (the filter's result map, the messages that it
-    logged). Raises as Job.
+    <kind>_<number>.ply. parameters are those of the filter that are not named here. Returns (the
+    filter's result map, the messages that it logged). Raises as Job.
     """
-    job = Job(first, second, folder, on_progress)
     parameters.update((kind, kind in pieces) for kind in PIECES)
     result, messages = job.run("generate_index_boolean_split", **parameters)
     files = {}
