@@ -83,16 +83,11 @@ TEST(MergeFragments, inputVerticesStay) {
 	for (std::uint32_t seed = 0; seed < 40; ++seed) {
 		SCOPED_TRACE("seed " + std::to_string(seed));
 		std::mt19937 random(seed);
-		const auto step = [&random] { return static_cast<double>(random() % 4); };
-		const auto randomBox = [&] {
-			const Point low{step(), step(), step()};
-			return box(low, {low[0] + 1 + step(), low[1] + 1 + step(), low[2] + 1 + step()});
-		};
-		const BooleanRun solid = run(randomBox(), randomBox(), withoutMerging());
+		const BooleanRun solid = run(gridBox(random, 4), gridBox(random, 4), withoutMerging());
 		ASSERT_TRUE(solid.status.ok());
 		// It has many vertices inside walls and inside straight edges.
 		const Mesh m{solid.blocks[kUnion].points, solid.blocks[kUnion].triangles};
-		const Mesh c = randomBox();
+		const Mesh c = gridBox(random, 4);
 		const BooleanRun plain = run(m, c, withoutMerging()), merged = run(m, c);
 		ASSERT_TRUE(plain.status.ok() && merged.status.ok());
 		for (std::size_t k = 0; k < 5; ++k) {
@@ -211,12 +206,7 @@ TEST(MergeCoplanar, volumesStayWithEveryOption) {
 	for (std::uint32_t seed = 0; seed < 40; ++seed) {
 		SCOPED_TRACE("seed " + std::to_string(seed));
 		std::mt19937 random(seed);
-		const auto step = [&random] { return static_cast<double>(random() % 5); };
-		const auto randomBox = [&] {
-			const Point low{step(), step(), step()};
-			return box(low, {low[0] + 1 + step(), low[1] + 1 + step(), low[2] + 1 + step()});
-		};
-		const Mesh a = randomBox(), b = randomBox(), c = randomBox();
+		const Mesh a = gridBox(random, 5), b = gridBox(random, 5), c = gridBox(random, 5);
 		const BooleanRun first = run(a, b, withoutMerging());
 		ASSERT_TRUE(first.status.ok());
 		for (const Block& block : {first.blocks[kUnion], first.blocks[kFirstOnly]}) {

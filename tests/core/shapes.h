@@ -34,6 +34,13 @@ inline Mesh box(Point low, Point high) {
 	return m;
 }
 
+// A box with integer corners: the low one's coordinates are below n, each side is at most n.
+inline Mesh gridBox(std::mt19937& random, std::uint32_t n) {
+	const auto step = [&] { return static_cast<double>(random() % n); };
+	const Point low{step(), step(), step()};
+	return box(low, {low[0] + 1 + step(), low[1] + 1 + step(), low[2] + 1 + step()});
+}
+
 // Latitude-longitude sphere with n rings and 2n sectors: 4n(n-1) faces.
 inline Mesh sphere(std::uint32_t n, Point centre, double radius) {
 	Mesh m;
