@@ -12,6 +12,7 @@ import mesh_laws
 import oracles
 import shapes
 from open_shapes import bumpy_sheet, flipped
+from seed_batches import check_batch
 from split_run import Split, check_laws
 
 BATCHES = 10
@@ -74,16 +75,7 @@ def check_pair(seed):
 
 @pytest.mark.parametrize("batch", range(BATCHES))
 def test_piecesOfRandomPairsAreLibigls(batch):
-    seeds = range(batch * PAIRS_PER_BATCH, (batch + 1) * PAIRS_PER_BATCH)
-    print(f"seeds {seeds.start} to {seeds.stop - 1}")
-    failures = []
-    for seed in seeds:
-        try:
-            check_pair(seed)
-        except Exception as failure:  # every pair of the batch is tried and named
-            reason = str(failure).splitlines()[0]
-            failures.append(f"seed {seed}: {type(failure).__name__}: {reason}")
-    assert not failures, f"{len(failures)} of {len(seeds)} pairs:\n" + "\n".join(failures)
+    check_batch(batch, PAIRS_PER_BATCH, check_pair)
 
 
 def test_facesTurnedHereAndThereChangeNoBlock():
