@@ -334,11 +334,7 @@ Status measure(const CommandLine& commandLine, const Operands& operands,
 
 // ---- the command line
 
-// Exits with 2 on a usage error, with 0 after --help.
-CommandLine parse(int argc, char** argv) {
-	CommandLine out;
-	CLI::App app{"Times the Boolean core alone, from arrays to arrays, and prints JSON.",
-	             "index_boolean_bench"};
+void addOperandOptions(CLI::App& app, CommandLine& out) {
 	CLI::Option_group& operands = *app.add_option_group("operands", "One of these");
 	operands.require_option(1);
 	operands.add_option("files", out.files, "Two meshes: PLY, STL, OBJ, OFF")->expected(2);
@@ -364,6 +360,14 @@ CommandLine parse(int argc, char** argv) {
 	                "Two cubes whose walls are cut into N x N squares, with one wall in common, "
 	                "shifted in its plane: coplanar faces that overlap")
 	    ->check(CLI::PositiveNumber);
+}
+
+// Exits with 2 on a usage error, with 0 after --help.
+CommandLine parse(int argc, char** argv) {
+	CommandLine out;
+	CLI::App app{"Times the Boolean core alone, from arrays to arrays, and prints JSON.",
+	             "index_boolean_bench"};
+	addOperandOptions(app, out);
 	app.add_flag("--split", out.split, "Times the sub-surfaces and sub-blocks, not the blocks");
 	app.add_option("--place", out.placement,
 	               "standard: each centred, longest side 1, the second then turned by 0.7 rad "
