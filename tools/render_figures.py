@@ -22,7 +22,9 @@ import paper_figures  # noqa: E402
 
 FIRST_COLOUR, SECOND_COLOUR = (0.30, 0.54, 0.78), (0.96, 0.64, 0.24)
 LOOP_COLOURS = ("black", (0.9, 0.0, 0.1), (0.85, 0.0, 0.75))  # open, hard-closed, soft-closed
-LOOK = dict(smooth_shading=True, split_sharp_edges=True, specular=0.15, specular_power=15, ambient=0.18)
+LOOK = dict(
+    smooth_shading=True, split_sharp_edges=True, specular=0.15, specular_power=15, ambient=0.18
+)
 # name: direction to the camera, upwards, how far pieces are pulled apart, what fills the picture
 VIEWS = {
     "blocks": ((1.0, 0.6, 0.55), (0, 0, 1), 0.45, 1.15),

@@ -191,7 +191,8 @@ def _run_job(options, run, print_result):
 def _progress_bar(console):
     """Yields on_progress(stage, percent); draws nothing unless the console is a terminal."""
     columns = (
-        TextColumn("{task.description:<24}"), BarColumn(), TaskProgressColumn(), TimeElapsedColumn(),
+        TextColumn("{task.description:<24}"), BarColumn(), TaskProgressColumn(),
+        TimeElapsedColumn(),
     )
     with Progress(
         *columns, console=console, transient=True, disable=not console.is_terminal,

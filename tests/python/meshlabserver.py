@@ -30,7 +30,7 @@ def install(prefix):
 
 
 def run(program, files, script, saved=()):
-    """Loads the files, applies the script, saves layers; saved: pairs of a layer's place and a path."""
+    """Loads files, applies the script, saves layers; saved: pairs of a layer's place and a path."""
     command = ["xvfb-run", "-a", "-s", "-screen 0 1280x1024x24", program]
     for file in files:
         command += ["-i", file]

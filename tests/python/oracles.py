@@ -140,7 +140,7 @@ def _cells_of_parts(vertices, faces):
 
 
 def _first_hit(start, corners):
-    """The triangle that the ray from a point meets first, and whether on its front; (None, False): none."""
+    """The triangle that the ray from a point meets first, and whether in front; (None, False)."""
     a, b, c = (corners[:, k] - start for k in range(3))
     sides = np.stack([np.cross(p, q) @ _RAY for p, q in ((a, b), (b, c), (c, a))])
     normal = np.cross(b - a, c - a)

@@ -86,7 +86,8 @@ def statue_pair(file, plane):
     if folder is None:
         return None
     vertices, faces = placements.read_mesh(folder / file)
-    return (placements.normalised(vertices), faces), bumpy_sheet(*plane, half_width=0.58, bump=0.006)
+    sheet = bumpy_sheet(*plane, half_width=0.58, bump=0.006)
+    return (placements.normalised(vertices), faces), sheet
 
 
 # name: (figure, what the pair is, the pair, what the paper states)

@@ -115,7 +115,7 @@ def _check_blocks(split, tolerance):
 
 
 def _check_sides(split, tolerance):
-    """Each side of a separating sub-surface belongs to the boundary of its block, and to no other."""
+    """Each side of a separating sub-surface bounds the block that it names, and no other."""
     shared = np.zeros(split.result["sub_blocks"])
     for operand, piece in enumerate(split.surfaces):
         for number in range(split.result["sub_blocks"]):

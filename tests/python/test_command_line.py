@@ -92,7 +92,8 @@ def test_otherFormatsAreReadAndWritten(tmp_path, extension):
     done = run("boolean", first, second, "-o", out, "--format", extension)
     assert done.returncode == 0, done.stderr
     result = json.loads((out / "result.json").read_text())
-    assert volume(*load(out / f"union.{extension}")) == pytest.approx(result["union_volume"], rel=1e-5)
+    written = volume(*load(out / f"union.{extension}"))
+    assert written == pytest.approx(result["union_volume"], rel=1e-5)
 
 
 @pytest.mark.parametrize("extension", ["ply", "obj", "off", "stl"])
@@ -195,7 +196,8 @@ def test_interruptEndsWithStatus130(tmp_path):
 def test_terminalSeesTheStagesAndNoNoise(tmp_path):
     done = subprocess.run(
         command("boolean", FIRST, SECOND, "-o", tmp_path), capture_output=True, text=True,
-        env={**os.environ, "FORCE_COLOR": "1", "TERM": "xterm"}, timeout=120,  # taken for a terminal
+        env={**os.environ, "FORCE_COLOR": "1", "TERM": "xterm"},  # taken for a terminal
+        timeout=120,
     )
     assert done.returncode == 0
     assert "reading bumpy_sphere.ply" in done.stderr
@@ -273,7 +275,9 @@ def test_splitWritesAFileForEachPiece(tmp_path):
     done = run("split", FIRST, sheet, "-o", tmp_path / "few", *only, "--max-files", 3)
     assert done.returncode == 0
     assert "more than max_layers (3)" in done.stderr
-    assert files_of(tmp_path / "few") == ["result.json", "sub_blocks.ply", "sub_surfaces_second.ply"]
+    assert files_of(tmp_path / "few") == [
+        "result.json", "sub_blocks.ply", "sub_surfaces_second.ply",
+    ]
 
 
 def test_curvesWritesEdgesAndTheLoops(tmp_path):

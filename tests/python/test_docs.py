@@ -41,7 +41,10 @@ def test_links_lead_to_files(page):
 
 @pytest.mark.parametrize("page", PAGES, ids=lambda page: page.name)
 def test_paths_named_in_code_style_exist(page):
-    known = ("vcg_ext/", "filter_indexboolean/", "tests/", "tools/", "bench/", "sample_meshes/", "docs/", "python/")
+    known = (
+        "vcg_ext/", "filter_indexboolean/", "tests/", "tools/", "bench/", "sample_meshes/", "docs/",
+        "python/",
+    )
     named = re.findall(r"`([\w./-]+)[^`]*`", page.read_text())
     missing = [n for n in named if n.startswith(known) and not (ROOT / n).exists()]
     assert not missing

@@ -139,7 +139,7 @@ def set_matrix(mesh_set, layer, matrix):
 
 
 def log_of(make_document, filter_name="generate_index_boolean", parameters=""):
-    """What a run of the filter on the document that `make_document` (an expression) makes prints when verbose.
+    """What a verbose run of the filter prints, on what the expression `make_document` makes.
 
     In a process of its own: once a filter has refused, pymeshlab prints nothing any more.
     """

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """A user of MeshLab's window: the filter is found, its dialog applied, its layers saved.
 
-INDEXBOOLEAN_GUI_TREE names the Debian tree that tools/gui_tree has made; without it this is skipped.
+INDEXBOOLEAN_GUI_TREE names the Debian tree that tools/gui_tree has made; else this is skipped.
 INDEXBOOLEAN_GUI_PICTURES may name a folder that the documents' pictures are then written to.
 """
 

@@ -18,7 +18,9 @@ def two_cubes():
     meshes.create_cube(size=2)
     meshes.create_cube(size=2)
     meshes.compute_matrix_from_rotation(rotaxis="Z axis", angle=30)
-    meshes.compute_matrix_from_translation(traslmethod="XYZ translation", axisx=0.7, axisy=0.4, axisz=0.3)
+    meshes.compute_matrix_from_translation(
+        traslmethod="XYZ translation", axisx=0.7, axisy=0.4, axisz=0.3
+    )
     return meshes
 
 

@@ -65,7 +65,9 @@ class TestLayers:
             "A blocks B 0", "A blocks B 1",
         ]
         for kind, piece, name in zip(
-            BLOCKS, (*together.surfaces, together.blocks), ("sub_surface", "sub_surface", "sub_block")
+            BLOCKS,
+            (*together.surfaces, together.blocks),
+            ("sub_surface", "sub_surface", "sub_block"),
         ):
             for number, layer in enumerate(result[f"{kind}_layers"]):
                 mesh = mesh_set.mesh(int(layer))

@@ -26,10 +26,8 @@ def wheel(tmp_path_factory):
 
 
 def pip(*arguments, python=sys.executable):
-    subprocess.run(
-        [str(word) for word in (python, "-m", "pip", "-q", "--disable-pip-version-check", *arguments)],
-        check=True, timeout=600,
-    )
+    words = (python, "-m", "pip", "-q", "--disable-pip-version-check", *arguments)
+    subprocess.run([str(word) for word in words], check=True, timeout=600)
 
 
 def plugin_in(wheel, tmp_path):
