@@ -2,9 +2,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
 # in: INDEXBOOLEAN_HOSTS and, for each version of MeshLab among them, a source tree: the one that
-# MESHLAB_SOURCE_DIR (2025.07) or MESHLAB_2020_09_SOURCE_DIR names, as a cache or environment variable,
-# else what tools/fetch_headers fetches; out: the targets a plugin is built with, or a STATUS sentence
-# that says what is missing.
+# MESHLAB_SOURCE_DIR (2025.07) or MESHLAB_2020_09_SOURCE_DIR names, as a cache or environment
+# variable, else what tools/fetch_headers fetches; out: the targets a plugin is built with, or a
+# STATUS sentence that says what is missing.
 #   meshlab::headers  vcglib of MeshLab 2025.07 and Eigen, as system headers
 #   meshlab::<host>   MeshLab's src/common, its vcglib, Eigen, Qt, the host's version and scalar, and a
 #                     stub of the host's library
@@ -36,8 +36,8 @@ function(locate_meshlab_source version variable)
 		endif()
 	endif()
 	if(NOT EXISTS "${dir}/src/common")
-		message(STATUS "MeshLab's headers are not here: set ${variable} to a MeshLab ${version} source "
-			"tree (with vcglib), or let tools/fetch_headers get Debian's source package")
+		message(STATUS "MeshLab's headers are not here: set ${variable} to a MeshLab ${version} "
+			"source tree (with vcglib), or let tools/fetch_headers get Debian's source package")
 		return()
 	endif()
 	file(STRINGS "${dir}/ML_VERSION" found LIMIT_COUNT 1)
@@ -56,7 +56,8 @@ function(add_meshlab_headers version variable)
 	endif()
 	find_path(vcglib_${version} vcg/complex/complex.h NO_CACHE NO_DEFAULT_PATH
 		PATHS "${meshlab_dir}/src/vcglib" "${meshlab_dir}/vcglib")
-	find_path(EIGEN_INCLUDE_DIR Eigen/Core PATHS "${vcglib_${version}}/eigenlib" PATH_SUFFIXES eigen3)
+	find_path(EIGEN_INCLUDE_DIR Eigen/Core
+		PATHS "${vcglib_${version}}/eigenlib" PATH_SUFFIXES eigen3)
 	if(NOT EIGEN_INCLUDE_DIR OR NOT vcglib_${version})
 		message(STATUS "Eigen (Debian: libeigen3-dev) or ${meshlab_dir}'s vcglib is not here")
 		return()
