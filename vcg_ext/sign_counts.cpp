@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Index Boolean authors
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The counters are relaxed: only totals matter, taken when all threads have met.
 #include "sign_counts.h"
 
 #ifdef INDEXBOOLEAN_COUNT_SIGNS

@@ -1,5 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Index Boolean authors
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Near 1, neither a product of three coordinates nor its rounding leaves the range of double; only
+// the last step, which scales back, may.
 #include "surface_sums.h"
 
 #include <algorithm>
