@@ -1,11 +1,12 @@
 # SPDX-FileCopyrightText: 2026 The Index Boolean authors
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The core alone, rounding to float: what hosts in float have to deliver."""
+"""What hosts in float have to deliver: the core's float run, or the double one rounded."""
 
 import subprocess
 from pathlib import Path
 
 import numpy as np
+import pymeshlab
 
 from run_boolean import BLOCKS
 
@@ -39,3 +40,30 @@ def expect_equal(blocks, others):
     for block in BLOCKS:
         for array, other in zip(blocks[block], others[block]):
             assert np.array_equal(array, other), block
+
+
+def expect_rounded(points, exact):
+    """The points are floats, and those of a host in double, with nothing cleaned in either.
+
+    Both are the exact point rounded once: half an ulp of float, and of double, away from it.
+    """
+    ulp = np.spacing(np.abs(points).astype(np.float32)).astype(np.float64)
+    assert points.shape == exact.shape
+    assert (np.abs(points - exact) <= (0.5 + 2**-20) * ulp).all()
+
+
+def expect_saved_in_float(path, layer):
+    """The file has the faces of a layer of pymeshlab's, and its points rounded."""
+    meshes = pymeshlab.MeshSet()
+    meshes.load_new_mesh(str(path))
+    saved = meshes.current_mesh()
+    expect_rounded(saved.vertex_matrix(), layer.vertex_matrix())
+    assert np.array_equal(saved.face_matrix(), layer.face_matrix())
+
+
+def expect_saved_edges(path, layer):
+    """The file, OBJ since PLY files drop edges, has those of a layer of pymeshlab's."""
+    meshes = pymeshlab.MeshSet()
+    meshes.load_new_mesh(str(path))
+    assert layer.edge_number() > 0
+    assert np.array_equal(meshes.current_mesh().edge_matrix(), layer.edge_matrix())

@@ -55,11 +55,13 @@ class Screen:
         """All visible windows of MeshLab, with and without a title."""
         return set(self.xdotool("search", "--onlyvisible", "--class", "meshlab").split())
 
+    def geometry(self, window):
+        words = self.xdotool("getwindowgeometry", "--shell", window).split()
+        return dict(word.split("=") for word in words)
+
     def click(self, window, x, y):
         """A negative place counts from the window's right or lower edge."""
-        geometry = dict(
-            line.split("=") for line in self.xdotool("getwindowgeometry", "--shell", window).split()
-        )
+        geometry = self.geometry(window)
         x = x if x >= 0 else int(geometry["WIDTH"]) + x
         y = y if y >= 0 else int(geometry["HEIGHT"]) + y
         self.xdotool("mousemove", "--window", window, x, y)
@@ -92,8 +94,16 @@ class MeshLab:
                 env={**screen.environment, **dict(environment)},
             )
         self.main = screen.window(f"MeshLab {version}")
-        screen.xdotool("windowmove", self.main, 0, 0)
-        screen.xdotool("windowsize", self.main, *SIZE)
+
+    def fill_screen(self):
+        """For when the program is at rest: while it starts it sets a size itself."""
+        wait_for("a window as large as the screen", self._resized)
+
+    def _resized(self):
+        self.screen.xdotool("windowmove", self.main, 0, 0)
+        self.screen.xdotool("windowsize", self.main, *SIZE)
+        geometry = self.screen.geometry(self.main)
+        return (int(geometry["WIDTH"]), int(geometry["HEIGHT"])) == SIZE
 
     def logged(self, text):
         return [line for line in self.log.read_text().splitlines() if text in line]
@@ -128,8 +138,14 @@ class MeshLab:
         box = wait_for("a box with a message", lambda: self.screen.windows() - before).pop()
         self.screen.click(box, -60, -23)
 
+    def hide_layer(self, position):
+        """By its eye in the list."""
+        self.screen.click(self.main, 876, self.layer_row(position))
+
+    def choose_layer(self, position):
+        self.screen.click(self.main, 960, self.layer_row(position))
+
     def layer_row(self, position):
-        """The height of a layer's row in the list; its eye is at 876, its name at 960."""
         return 111 + 31 * position
 
     def close_dialog(self):
@@ -144,6 +160,18 @@ class MeshLab:
         self.screen.type(path)
         self.screen.keys("Return")
         wait_for("the project's dialog to close", lambda: dialog not in self.screen.windows())
+
+    def save_current_layer(self, path):
+        """As a file with the options that MeshLab proposes for its format."""
+        self.click_into_view()
+        self.screen.keys("ctrl+shift+e")
+        self.screen.window('Save ".*" Layer')
+        self.screen.keys("ctrl+a")
+        self.screen.type(path)
+        self.screen.keys("Return")
+        self.screen.window("Choose Saving Options")
+        self.screen.keys("Return")
+        self.wait_for_log("Saved Mesh")
 
 
 @contextlib.contextmanager

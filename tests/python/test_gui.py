@@ -1,31 +1,35 @@
 # SPDX-FileCopyrightText: 2026 The Index Boolean authors
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""A user of MeshLab's window: the filter is found, its dialog applied, its layers saved.
+"""A user of MeshLab's window: each filter is found, its dialog applied, its layers saved.
 
 INDEXBOOLEAN_GUI_TREE names the Debian tree that tools/gui_tree has made; else this is skipped.
 INDEXBOOLEAN_GUI_PICTURES may name a folder that the documents' pictures are then written to.
 """
 
+import contextlib
 import os
 import shutil
 import subprocess
 from pathlib import Path
+from typing import NamedTuple
 
+import numpy as np
 import pymeshlab
 import pytest
 
 import gui_driver
 import meshlabserver
 import sample_catalogue
-from core_blocks import core_in_float, expect_equal
+from conftest import document
+from core_blocks import core_in_float, expect_equal, expect_saved_edges, expect_saved_in_float
 from placements import read_mesh
 from run_boolean import BLOCKS
+from split_run import Split
 
 if "INDEXBOOLEAN_GUI_TREE" not in os.environ:
     pytest.skip("slow: tools/test --long runs it, as root", allow_module_level=True)
 
 TREE = Path(os.environ["INDEXBOOLEAN_GUI_TREE"])
-TITLE = "Index Boolean: Union"
 NAMES = ("bumpy_sphere", "ribbed_torus")
 LABELS = dict(
     zip(
@@ -38,6 +42,34 @@ LABELS = dict(
         ),
     )
 )
+PIECES = (
+    "bumpy_sphere cut by ribbed_torus",
+    "ribbed_torus cut by bumpy_sphere",
+    "bumpy_sphere blocks ribbed_torus",
+)
+CURVES = "bumpy_sphere curves ribbed_torus"
+
+
+class Filter(NamedTuple):
+    """How a user finds a filter, and the layers that it adds."""
+
+    words: str  # that are searched for
+    title: str  # of its dialog, how it begins
+    labels: tuple
+
+
+FILTERS = {
+    "generate_index_boolean": Filter(
+        "index boolean union", "Index Boolean: Union", tuple(LABELS.values())
+    ),
+    "generate_index_boolean_split": Filter(
+        "index boolean split", "Index Boolean: Split", PIECES
+    ),
+    "generate_index_boolean_curves": Filter(
+        "index boolean curves", "Index Boolean: Intersection Curves", (CURVES,)
+    ),
+}
+BOOLEAN, SPLIT, CURVE = FILTERS.values()
 
 
 def picture(screen, name):
@@ -79,6 +111,7 @@ def window_2025(screen, folder, log, *names):
 
 def open_both(meshlab):
     meshlab.wait_for_log("Opened mesh", count=2)
+    meshlab.fill_screen()
 
 
 def show_menu(meshlab):
@@ -90,36 +123,26 @@ def show_menu(meshlab):
     screen.keys("Escape", "Escape")
 
 
-def show_one_block(meshlab):
-    """Hides all layers but the first difference."""
-    for position in (0, 1, 2, 3, 5):
-        meshlab.screen.click(meshlab.main, 876, meshlab.layer_row(position))
-    picture(meshlab.screen, "gui_result.png")
+def show_only(meshlab, shown, count, picture_name):
+    """Hides all layers but one."""
+    for position in set(range(count)) - {shown}:
+        meshlab.hide_layer(position)
+    picture(meshlab.screen, picture_name)
 
 
-def apply_boolean(meshlab, dialog_picture):
-    meshlab.search_filter("index boolean union")
-    meshlab.open_found_filter(TITLE)
+def apply(meshlab, chosen, dialog_picture):
+    meshlab.search_filter(chosen.words)
+    meshlab.open_found_filter(chosen.title)
     picture(meshlab.screen, dialog_picture)
     meshlab.apply_filter()
     meshlab.close_dialog()
-    for label in LABELS.values():
+    for label in chosen.labels:
         assert len(meshlab.logged(f'"{label}": ')) == 1
 
 
-def expect_saved_blocks(folder, tmp_path):
-    """The folder holds the four blocks, as the core's float run gives them, and both layers."""
-    operands = [sample_catalogue.sample(name) for name in NAMES]
-    core, _ = core_in_float(operands, tmp_path)
-    expect_equal(
-        {block: read_mesh(folder / f"{label}.ply") for block, label in LABELS.items()}, core
-    )
-    for name, (vertices, faces) in zip(NAMES, operands):
-        saved = read_mesh(folder / f"{name}.ply")
-        assert (saved[0] == vertices).all() and (saved[1] == faces).all(), "an operand was changed"
-
-
-def test_window2025FindsAppliesAndSavesFourLayers(tmp_path):
+@contextlib.contextmanager
+def both_samples_opened(tmp_path):
+    """(MeshLab 2025.07 with two layers, the folder that it is started in)"""
     folder = fresh_folder(TREE / "root/test")
     install_for_window_2025()
     files = [f"{name}.ply" for name in NAMES]
@@ -127,14 +150,76 @@ def test_window2025FindsAppliesAndSavesFourLayers(tmp_path):
         screen, folder, tmp_path / "log", *files
     ) as meshlab:
         open_both(meshlab)
-        show_menu(meshlab)
-        apply_boolean(meshlab, "gui_dialog.png")
-        meshlab.save_project_and_all_layers("/root/test/result.mlp")
-        show_one_block(meshlab)
+        yield meshlab, folder
+
+
+def samples():
+    return [sample_catalogue.sample(name) for name in NAMES]
+
+
+def expect_project(folder, chosen):
+    """The saved project has the operands, unchanged, and the filter's layers."""
     project = (folder / "result.mlp").read_text()
-    assert project.count("<MLMesh ") == 6
-    assert all(f'label="{label}"' in project for label in LABELS.values())
-    expect_saved_blocks(folder, tmp_path)
+    assert project.count("<MLMesh ") == len(NAMES) + len(chosen.labels)
+    assert all(f'label="{label}"' in project for label in chosen.labels)
+    for name, (vertices, faces) in zip(NAMES, samples()):
+        saved = read_mesh(folder / f"{name}.ply")
+        assert (saved[0] == vertices).all() and (saved[1] == faces).all(), "an operand was changed"
+
+
+def face_colours(path):
+    meshes = pymeshlab.MeshSet()
+    meshes.load_new_mesh(str(path))
+    return meshes.current_mesh().face_color_matrix()
+
+
+def test_everyFilterIsTriedInTheWindow():
+    names = [name for name in pymeshlab.filter_list() if name.startswith("generate_index_boolean")]
+    assert sorted(names) == sorted(FILTERS)
+
+
+def test_window2025AddsTheFourBlocks(tmp_path):
+    with both_samples_opened(tmp_path) as (meshlab, folder):
+        show_menu(meshlab)
+        apply(meshlab, BOOLEAN, "gui_dialog.png")
+        meshlab.save_project_and_all_layers("/root/test/result.mlp")
+        show_only(meshlab, 4, 6, "gui_result.png")
+    expect_project(folder, BOOLEAN)
+    core, _ = core_in_float(samples(), tmp_path)
+    expect_equal(
+        {block: read_mesh(folder / f"{label}.ply") for block, label in LABELS.items()}, core
+    )
+
+
+def test_window2025AddsSubSurfacesAndSubBlocksWithTheirColours(tmp_path):
+    with both_samples_opened(tmp_path) as (meshlab, folder):
+        apply(meshlab, SPLIT, "gui_split_dialog.png")
+        meshlab.save_project_and_all_layers("/root/test/result.mlp")
+        show_only(meshlab, 4, 5, "gui_split_result.png")
+    expect_project(folder, SPLIT)
+    in_double = Split(*samples())
+    for label, kind in zip(PIECES, ("sub_surfaces_first", "sub_surfaces_second", "sub_blocks")):
+        path = folder / f"{label}.ply"
+        layer = in_double.mesh_set.mesh(in_double.result[f"{kind}_layer"])
+        expect_saved_in_float(path, layer)
+        colours = face_colours(path)
+        assert np.array_equal(colours, layer.face_color_matrix())
+        assert len(np.unique(colours, axis=0)) == in_double.result[kind]
+
+
+def test_window2025AddsTheCurvesAsEdges(tmp_path):
+    with both_samples_opened(tmp_path) as (meshlab, folder):
+        apply(meshlab, CURVE, "gui_curves_dialog.png")
+        meshlab.save_project_and_all_layers("/root/test/result.mlp")
+        meshlab.save_current_layer("/root/test/curves.obj")
+        meshlab.hide_layer(0)
+        picture(meshlab.screen, "gui_curves_result.png")
+    expect_project(folder, CURVE)
+    in_double = document(*samples())
+    added = in_double.generate_index_boolean_curves()
+    layer = in_double.mesh(added["curves_layer"])
+    expect_saved_in_float(folder / f"{CURVES}.ply", layer)
+    expect_saved_edges(folder / "curves.obj", layer)
 
 
 def test_window2025SaysWhyItRefusesALayerAndGoesOn(tmp_path):
@@ -145,24 +230,26 @@ def test_window2025SaysWhyItRefusesALayerAndGoesOn(tmp_path):
         screen, folder, tmp_path / "log", "open.ply", f"{NAMES[1]}.ply"
     ) as meshlab:
         open_both(meshlab)
-        meshlab.search_filter("index boolean union")
-        meshlab.open_found_filter(TITLE)
+        meshlab.search_filter(BOOLEAN.words)
+        meshlab.open_found_filter(BOOLEAN.title)
         meshlab.press_apply_and_confirm_message()
         meshlab.wait_for_log('Layer "open.ply" (id 0) is not closed')
         meshlab.close_dialog()
-        screen.click(meshlab.main, 960, meshlab.layer_row(0))
+        meshlab.choose_layer(0)
         picture(screen, "gui_refusal.png")
         assert meshlab.process.poll() is None
 
 
 @pytest.mark.skipif(not meshlabserver.is_debian_12(), reason="only Debian 12 has MeshLab 2020.09")
-def test_window2020FindsAndAppliesTheSameFilter(tmp_path):
+@pytest.mark.parametrize("name", FILTERS)
+def test_window2020FindsAndAppliesTheSameFilter(tmp_path, name):
     folder = fresh_folder(tmp_path / "test")
     program = meshlabserver.install(tmp_path / "prefix").with_name("meshlab")
-    command = [program, *(f"{name}.ply" for name in NAMES)]
+    command = [program, *(f"{sample}.ply" for sample in NAMES)]
     with gui_driver.screen() as screen, gui_driver.running(
         screen, "2020.09", command, folder, tmp_path / "log"
     ) as meshlab:
         open_both(meshlab)
-        apply_boolean(meshlab, "gui_2020_dialog.png")
-        picture(screen, "gui_2020_result.png")
+        kind = name.removeprefix("generate_index_boolean")
+        apply(meshlab, FILTERS[name], f"gui_2020{kind}_dialog.png")
+        picture(screen, f"gui_2020{kind}_result.png")

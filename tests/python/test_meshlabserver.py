@@ -16,7 +16,13 @@ import mesh_laws
 import meshlabserver
 import sample_catalogue
 from conftest import box, document, sphere
-from core_blocks import core_in_float, expect_equal
+from core_blocks import (
+    core_in_float,
+    expect_equal,
+    expect_rounded,
+    expect_saved_edges,
+    expect_saved_in_float,
+)
 from placements import read_mesh
 from run_boolean import BLOCKS, run_boolean
 
@@ -67,9 +73,7 @@ def test_blocksAreThoseOfTheCoreInFloatAndOfPymeshlab(program, tmp_path, pair):
     for block in BLOCKS:
         (vertices, faces), (exact, same_faces) = blocks[block], in_double[block]
         assert np.array_equal(faces, same_faces), block
-        # Both are the exact point rounded once: half an ulp of float, and of double, away from it.
-        ulp = np.spacing(np.abs(vertices).astype(np.float32)).astype(np.float64)
-        assert (np.abs(vertices - exact) <= (0.5 + 2**-20) * ulp).all(), block
+        expect_rounded(vertices, exact)
 
 
 def test_roundingToFloatIsCleanedAsByTheCore(program, tmp_path):
@@ -155,19 +159,30 @@ def test_everyFilterHasAnExampleThatListsItsParametersAtTheirDefaults(plugin):
             assert values[parameter] == str(defaults[parameter]).lower(), parameter
 
 
-@pytest.mark.parametrize(
-    "script", sorted(meshlabserver.EXAMPLES.glob("*.mlx")), ids=lambda script: script.stem
-)
-def test_exampleRunsInBothHosts(program, plugin, tmp_path, script):
-    files, output = sample_paths("bumpy_sphere", "ribbed_torus"), tmp_path / "first.ply"
-    done = meshlabserver.run(program, files, script, [(2, output)])
-    assert done.returncode == 0, done.stderr
+def applied_in_pymeshlab(files, script):
+    """The document with the layers, those of the files first."""
     meshes = pymeshlab.MeshSet()
     for file in files:
         meshes.load_new_mesh(str(file))
     meshes.load_filter_script(str(script))
     meshes.apply_filter_script()
+    return meshes
+
+
+@pytest.mark.parametrize(
+    "script", sorted(meshlabserver.EXAMPLES.glob("*.mlx")), ids=lambda script: script.stem
+)
+def test_exampleGivesTheSameLayersInBothHosts(program, tmp_path, script):
+    files = sample_paths("bumpy_sphere", "ribbed_torus")
+    meshes = applied_in_pymeshlab(files, script)
     assert meshes.mesh_number() > 2
-    vertices, faces = read_mesh(output)
-    assert vertices.shape == meshes.mesh(2).vertex_matrix().shape
-    assert np.array_equal(faces, meshes.mesh(2).face_matrix())
+    paths = [(k, tmp_path / f"{k}.ply") for k in range(meshes.mesh_number())]
+    has_edges = script.stem == "generate_index_boolean_curves"
+    edge_paths = [(2, tmp_path / "2.obj")] if has_edges else []
+    done = meshlabserver.run(program, files, script, paths + edge_paths)
+    assert done.returncode == 0, done.stderr
+    for (_, path), layer in zip(paths, meshes):
+        assert layer.vertex_number() > 0
+        expect_saved_in_float(path, layer)
+    for k, path in edge_paths:
+        expect_saved_edges(path, meshes.mesh(k))
