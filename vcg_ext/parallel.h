@@ -79,4 +79,18 @@ Status parallelFor(std::size_t n, std::size_t grain, int threads, Monitor& monit
 	    [&body](std::size_t, std::size_t begin, std::size_t end) { body(begin, end); });
 }
 
+// Calls body(begin, end) for the same chunks one after another on this thread, for work whose order
+// matters, and polls between them. \return Ok or Cancelled; what the body throws leaves it.
+template <class Body>
+Status inOrderFor(std::size_t n, std::size_t grain, Monitor& monitor, Body&& body) {
+	Status status;
+	for (std::size_t begin = 0; begin < n && status.ok(); begin += grain) {
+		body(begin, begin + std::min(grain, n - begin));
+		if (pollCancelled(monitor)) {
+			status.code = StatusCode::Cancelled;
+		}
+	}
+	return status;
+}
+
 }  // namespace index_boolean

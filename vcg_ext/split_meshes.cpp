@@ -154,14 +154,18 @@ Status collectSubSurfaces(const Arrangement& arrangement, const SubSurfaces& sur
 	out = SplitMesh{};
 	Collector collector(arrangement, surfaces, blocks, monitor, out);
 	const std::vector<RefinedFace>& faces = surfaces.complex.faces;
-	for (std::uint32_t f = 0; f < faces.size(); ++f) {
-		const FaceId source = faces[f].sources[operand];
-		if (source != FaceId::none()) {
-			const bool isOther = source != faces[f].source();
-			collector.choose({f, {source, false}, isOther && faces[f].opposed});
+	const auto choose = [&](std::size_t begin, std::size_t end) {
+		for (std::size_t f = begin; f < end; ++f) {
+			const FaceId source = faces[f].sources[operand];
+			if (source != FaceId::none()) {
+				const bool isOther = source != faces[f].source();
+				collector.choose({static_cast<std::uint32_t>(f), {source, false},
+				                  isOther && faces[f].opposed});
+			}
 		}
-	}
-	return collector.run();
+	};
+	const Status status = inOrderFor(faces.size(), kGrain, monitor, choose);
+	return status.ok() ? collector.run() : status;
 }
 
 Status collectSubBlock(const Arrangement& arrangement, const SubSurfaces& surfaces,

@@ -16,6 +16,7 @@ namespace index_boolean {
 namespace {
 
 constexpr std::uint32_t kNoFace = 0xffffffffu;
+constexpr std::size_t kGrain = 1 << 13;
 
 class Finder {
 public:
@@ -25,15 +26,27 @@ public:
 	Status run();
 
 private:
-	void uniteSides();
-	void findSmallestFaces();
-	void numberSubSurfaces();
-	void listFaces();
+	Status uniteSides();
+	Status findSmallestFaces();
+	Status numberSubSurfaces();
+	Status listFaces();
 	Status measure();
-	void traceCycles();
+	Status traceCycles();
+	void listCycles();
 	BoundaryCycle trace(HalfEdgeId start, std::vector<std::uint8_t>& visited) const;
 	void beginAtSmallest(BoundaryCycle& cycle) const;
-	void findSubSurfacesAtLoops();
+	Status findSubSurfacesAtLoops();
+
+	// Calls body(face) for all faces of the complex, ascending.
+	template <class Body>
+	Status forEachFace(Body&& body) {
+		return inOrderFor(complex_.faces.size(), kGrain, monitor_,
+		                  [&body](std::size_t begin, std::size_t end) {
+			                  for (std::size_t face = begin; face < end; ++face) {
+				                  body(static_cast<std::uint32_t>(face));
+			                  }
+		                  });
+	}
 
 	std::uint32_t rootOf(std::uint32_t face) const { return sides_.root(2 * face) / 2; }
 	bool isTurned(std::uint32_t face) const { return sides_.root(2 * face) % 2 != 0; }
@@ -49,19 +62,22 @@ private:
 	std::vector<std::uint32_t> smallest_;  // per root face: the smallest of its set
 };
 
-void Finder::uniteSides() {
+Status Finder::uniteSides() {
 	sides_ = UnionFind(2 * complex_.faces.size());
-	for (std::uint32_t h = 0; h < complex_.mates.size(); ++h) {
-		const HalfEdgeId mate = complex_.mates[h];
-		if (mate == HalfEdgeId::none() || mate.value < h) {
-			continue;
+	const Status status = forEachFace([this](std::uint32_t face) {
+		for (std::uint32_t h = 3 * face; h < 3 * face + 3; ++h) {
+			const HalfEdgeId mate = complex_.mates[h];
+			if (mate == HalfEdgeId::none() || mate.value < h) {
+				continue;
+			}
+			const std::uint32_t a = 2 * face, b = 2 * (mate.value / 3);
+			const std::uint32_t flip = complex_.beginOf({h}) == complex_.beginOf(mate) ? 1 : 0;
+			sides_.unite(a, b + flip);
+			sides_.unite(a + 1, b + 1 - flip);
 		}
-		const std::uint32_t a = 2 * (h / 3), b = 2 * (mate.value / 3);
-		const std::uint32_t flip = complex_.beginOf({h}) == complex_.beginOf(mate) ? 1 : 0;
-		sides_.unite(a, b + flip);
-		sides_.unite(a + 1, b + 1 - flip);
-	}
+	});
 	sides_.flatten();
+	return status;
 }
 
 // The corners of a face in lexicographic order of their places.
@@ -81,8 +97,8 @@ bool Finder::isSmaller(std::uint32_t face, std::uint32_t than) const {
 	return false;
 }
 
-void Finder::findSmallestFaces() {
-	const auto faceCount = static_cast<std::uint32_t>(complex_.faces.size());
+Status Finder::findSmallestFaces() {
+	const std::size_t faceCount = complex_.faces.size();
 	const auto leftmost = [this](std::uint32_t face) {
 		const Triangle& t = complex_.faces[face].corners;
 		return std::min({arrangement_.coordinates(t[0])[0], arrangement_.coordinates(t[1])[0],
@@ -90,7 +106,7 @@ void Finder::findSmallestFaces() {
 	};
 	smallest_.assign(faceCount, kNoFace);
 	std::vector<double> least(faceCount);
-	for (std::uint32_t face = 0; face < faceCount; ++face) {
+	return forEachFace([&](std::uint32_t face) {
 		const std::uint32_t root = rootOf(face);
 		const double x = leftmost(face);
 		std::uint32_t& best = smallest_[root];
@@ -98,10 +114,10 @@ void Finder::findSmallestFaces() {
 			best = face;
 			least[root] = x;
 		}
-	}
+	});
 }
 
-void Finder::numberSubSurfaces() {
+Status Finder::numberSubSurfaces() {
 	std::vector<std::uint32_t> order;  // the smallest faces
 	for (const std::uint32_t face : smallest_) {
 		if (face != kNoFace) {
@@ -130,19 +146,18 @@ void Finder::numberSubSurfaces() {
 		ofRoot[rootOf(face)] = id;
 		out_.all.push_back(surface);
 	}
-	const std::size_t faceCount = complex_.faces.size();
-	out_.ofFace.resize(faceCount);
-	out_.turned.resize(faceCount);
-	for (std::uint32_t face = 0; face < faceCount; ++face) {
+	out_.ofFace.resize(complex_.faces.size());
+	out_.turned.resize(complex_.faces.size());
+	return forEachFace([&](std::uint32_t face) {
 		const std::uint32_t root = rootOf(face);
 		out_.ofFace[face] = ofRoot[root];
 		out_.turned[face] = isTurned(face) != isTurned(smallest_[root]) ? 1 : 0;
 		++at(out_.all, ofRoot[root]).faceCount;
-	}
+	});
 }
 
 // The smallest face comes first.
-void Finder::listFaces() {
+Status Finder::listFaces() {
 	std::uint32_t first = 0;
 	std::vector<std::uint32_t> next;
 	for (SubSurface& surface : out_.all) {
@@ -151,16 +166,15 @@ void Finder::listFaces() {
 		first += surface.faceCount;
 	}
 	out_.faces.resize(first);
-	for (std::uint32_t face = 0; face < out_.ofFace.size(); ++face) {
+	return forEachFace([&](std::uint32_t face) {
 		const SubSurfaceId id = out_.ofFace[face];
 		const bool isFirst = smallest_[rootOf(face)] == face;
 		out_.faces[isFirst ? at(out_.all, id).firstFace : at(next, id)++] = face;
-	}
+	});
 }
 
 // Sums in fixed chunks of the list of faces; a chunk has a part of one sub-surface or of several.
 Status Finder::measure() {
-	constexpr std::size_t kGrain = 1 << 13;
 	struct Part {
 		SubSurfaceId of;
 		SurfaceSums sums;
@@ -239,13 +253,24 @@ BoundaryCycle Finder::trace(HalfEdgeId start, std::vector<std::uint8_t>& visited
 	return cycle;
 }
 
-void Finder::traceCycles() {
+Status Finder::traceCycles() {
+	constexpr std::size_t kStarts = 64;  // a cycle may be long
 	std::vector<std::uint8_t> visited(complex_.mates.size());
-	for (const HalfEdgeId h : complex_.halfEdges) {
-		if (at(visited, h) == 0) {
-			out_.cycles.push_back(trace(h, visited));
+	const auto traceFrom = [&](std::size_t begin, std::size_t end) {
+		for (std::size_t i = begin; i < end; ++i) {
+			if (at(visited, complex_.halfEdges[i]) == 0) {
+				out_.cycles.push_back(trace(complex_.halfEdges[i], visited));
+			}
 		}
+	};
+	const Status status = inOrderFor(complex_.halfEdges.size(), kStarts, monitor_, traceFrom);
+	if (status.ok()) {
+		listCycles();
 	}
+	return status;
+}
+
+void Finder::listCycles() {
 	const auto before = [this](const BoundaryCycle& a, const BoundaryCycle& b) {
 		if (a.of != b.of) {
 			return a.of < b.of;
@@ -264,7 +289,7 @@ void Finder::traceCycles() {
 }
 
 // A loop's sub-surfaces are those at any of its edges.
-void Finder::findSubSurfacesAtLoops() {
+Status Finder::findSubSurfacesAtLoops() {
 	for (const Loop& loop : arrangement_.loops) {
 		std::vector<SubSurfaceId> found;
 		if (const PartingEdge* edge = complex_.partingEdge(loop.points[0], loop.points[1])) {
@@ -276,21 +301,17 @@ void Finder::findSubSurfacesAtLoops() {
 		found.erase(std::unique(found.begin(), found.end()), found.end());
 		out_.atLoop.push_back(std::move(found));
 	}
+	return {};
 }
 
 Status Finder::run() {
 	Status status = buildComplex(arrangement_, ComplexOf::Everything, monitor_, out_.complex);
-	if (!status.ok()) {
-		return status;
-	}
-	uniteSides();
-	findSmallestFaces();
-	numberSubSurfaces();
-	listFaces();
-	status = measure();
-	if (status.ok()) {
-		traceCycles();
-		findSubSurfacesAtLoops();
+	for (const auto step : {&Finder::uniteSides, &Finder::findSmallestFaces,
+	                        &Finder::numberSubSurfaces, &Finder::listFaces, &Finder::measure,
+	                        &Finder::traceCycles, &Finder::findSubSurfacesAtLoops}) {
+		if (status.ok()) {
+			status = (this->*step)();
+		}
 	}
 	return status;
 }

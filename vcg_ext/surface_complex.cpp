@@ -60,22 +60,31 @@ Status sortEntries(std::size_t n, EntryAt&& entry, std::size_t vertexCount, int 
 		return {};
 	}
 	std::vector<std::uint32_t> next(vertexCount + 2);  // first counts, then ends of groups
-	for (std::size_t i = 0; i < n; ++i) {
-		++next[entry(i).low.value + 2];
-	}
+	Status status = inOrderFor(n, kGrain, monitor, [&](std::size_t begin, std::size_t end) {
+		for (std::size_t i = begin; i < end; ++i) {
+			++next[entry(i).low.value + 2];
+		}
+	});
 	for (std::size_t v = 0; v <= vertexCount; ++v) {
 		next[v + 1] += next[v];
 	}
-	for (std::size_t i = 0; i < n; ++i) {
-		const Entry e = entry(i);
-		out[next[e.low.value + 1]++] = e;
+	if (status.ok()) {
+		status = inOrderFor(n, kGrain, monitor, [&](std::size_t begin, std::size_t end) {
+			for (std::size_t i = begin; i < end; ++i) {
+				const Entry e = entry(i);
+				out[next[e.low.value + 1]++] = e;
+			}
+		});
 	}
-	return parallelFor(vertexCount, kGrain, threads, monitor,
-	                   [&](std::size_t begin, std::size_t end) {
-		                   for (std::size_t v = begin; v < end; ++v) {
-			                   std::sort(out.begin() + next[v], out.begin() + next[v + 1]);
-		                   }
-	                   });
+	if (status.ok()) {
+		status = parallelFor(vertexCount, kGrain, threads, monitor,
+		                     [&](std::size_t begin, std::size_t end) {
+			                     for (std::size_t v = begin; v < end; ++v) {
+				                     std::sort(out.begin() + next[v], out.begin() + next[v + 1]);
+			                     }
+		                     });
+	}
+	return status;
 }
 
 class Builder {
@@ -88,7 +97,7 @@ public:
 
 private:
 	void add(const Triangle& corners, FaceId source);
-	void addUncutFaces();
+	Status addUncutFaces();
 	void addPieces(ComplexOf part);
 	bool isIrregular(const Triangle& piece) const;
 	Status mergeCoincident();
@@ -111,15 +120,19 @@ void Builder::add(const Triangle& corners, FaceId source) {
 	out_.faces.push_back(face);
 }
 
-void Builder::addUncutFaces() {
-	for (std::uint32_t f = 0; f < mesh_.triangles.size(); ++f) {
-		if (arrangement_.refinement.isCut[f] == 0) {
-			if (mesh_.quietTwin({f}) != Twin::None) {
-				maybeCoincident_.push_back(static_cast<std::uint32_t>(out_.faces.size()));
+Status Builder::addUncutFaces() {
+	const auto addRange = [this](std::size_t begin, std::size_t end) {
+		for (std::size_t f = begin; f < end; ++f) {
+			if (arrangement_.refinement.isCut[f] == 0) {
+				const FaceId face = makeId<FaceTag>(f);
+				if (mesh_.quietTwin(face) != Twin::None) {
+					maybeCoincident_.push_back(static_cast<std::uint32_t>(out_.faces.size()));
+				}
+				add(mesh_.triangles[f], face);
 			}
-			add(mesh_.triangles[f], {f});
 		}
-	}
+	};
+	return inOrderFor(mesh_.triangles.size(), kGrain, monitor_, addRange);
 }
 
 bool Builder::isIrregular(const Triangle& piece) const {
@@ -230,23 +243,33 @@ Status Builder::joinFaces() {
 	const std::size_t count = 3 * out_.faces.size();
 	const Status status =
 	    sortEntries(count, entry, vertexCount_, arrangement_.options.threads, monitor_, entries);
-	out_.mates.assign(count, HalfEdgeId::none());
-	for (std::size_t i = 0, end = 0; i < count && status.ok(); i = end) {
-		while (end < count && entries[end].isOn(entries[i])) {
-			++end;
-		}
-		join(&entries[i], &entries[i] + (end - i));
+	if (!status.ok()) {
+		return status;
 	}
-	return status;
+	out_.mates.assign(count, HalfEdgeId::none());
+	std::size_t first = 0;  // entry of an edge, which may lie in several chunks
+	return inOrderFor(count, kGrain, monitor_, [&](std::size_t, std::size_t chunkEnd) {
+		while (first < chunkEnd) {
+			std::size_t end = first + 1;
+			while (end < count && entries[end].isOn(entries[first])) {
+				++end;
+			}
+			join(&entries[first], &entries[first] + (end - first));
+			first = end;
+		}
+	});
 }
 
 Status Builder::run(ComplexOf part) {
+	Status status;
 	if (part == ComplexOf::Everything) {
 		out_.faces.reserve(mesh_.triangles.size() + arrangement_.refinement.pieces.size());
-		addUncutFaces();
+		status = addUncutFaces();
 	}
 	addPieces(part);
-	Status status = checkCounts(vertexCount_, 3 * out_.faces.size());
+	if (status.ok()) {
+		status = checkCounts(vertexCount_, 3 * out_.faces.size());
+	}
 	if (status.ok()) {
 		status = mergeCoincident();
 	}
