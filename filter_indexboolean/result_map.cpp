@@ -144,7 +144,8 @@ ResultMap resultMap(const SplitResult& result, const PieceLayers& layerIds,
 		map[std::string(kPieceNames[kind]) + "_layers"] =
 		    listOf(layerIds[kind], [](int id) { return id; });
 	}
-	map["volume_law_residual"] = result.volumeLawResidual;
+	map["sub_blocks_closed"] = result.audit.closed;
+	map["volume_law_residual"] = result.audit.volumeLawResidual;
 	map["zero_area_faces_removed"] = toInt(zeroAreaFaces);
 	addLoopCounts(result.arrangement.loopCounts, map);
 	addSeconds(result.stageTimes, result.seconds, seconds, map);

@@ -1,53 +1,41 @@
 // SPDX-FileCopyrightText: 2026 The Index Boolean authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// One arrangement, its sub-surfaces and sub-blocks, then the meshes asked for.
+// One arrangement, its sub-surfaces and sub-blocks, the meshes asked for, then the audit.
 #include "split_run.h"
 
 #include "stopwatch.h"
 
-#include <algorithm>
-#include <cmath>
 #include <utility>
 
 namespace index_boolean {
 
 namespace {
 
-constexpr double kArrangingShare = 0.4, kFindingShare = 0.2, kMeshesShare = 0.1;
+constexpr double kArrangingShare = 0.4, kFindingShare = 0.2, kMeshesShare = 0.1,
+                 kAuditShare = 0.05;
 
-Status collectSurfaceMeshes(const SplitRequest& request, Monitor& monitor, SplitResult& result) {
+Status collectSurfaceMeshes(const SplitRequest& request, Progress& progress, SplitResult& result) {
 	Status status;
 	for (std::size_t operand = 0; operand < 2 && status.ok(); ++operand) {
 		SplitMesh& mesh = result.surfaceMeshes[operand];
+		Monitor monitor = progress.nextPhase(kMeshesShare / 2);
 		if (request.subSurfaces[operand])
 			status = extractSubSurfaces(result.arrangement, result.split, operand, monitor, mesh);
 	}
 	return status;
 }
 
-Status collectBlockMeshes(Monitor& monitor, SplitResult& result) {
+Status collectBlockMeshes(Progress& progress, SplitResult& result) {
 	Status status;
-	result.blockMeshes.resize(result.split.blocks.all.size());
-	for (std::size_t i = 0; i < result.blockMeshes.size() && status.ok(); ++i) {
+	const std::size_t count = result.split.blocks.all.size();
+	result.blockMeshes.resize(count);
+	for (std::size_t i = 0; i < count && status.ok(); ++i) {
+		Monitor monitor = progress.nextPhase(kMeshesShare / static_cast<double>(count));
 		status = extractSubBlock(result.arrangement, result.split, makeId<SubBlockTag>(i), monitor,
 		                         result.blockMeshes[i]);
 	}
 	return status;
-}
-
-// The blocks inside an operand have its volume in all, each counted as often as it is wound around.
-// \return the largest difference, relative to both volumes; 0 for open operands, which have none
-double volumeLawResidual(const Arrangement& arrangement, const SubBlocks& blocks) {
-	double most = 0;
-	for (std::size_t operand = 0; operand < 2; ++operand) {
-		double sum = 0;
-		for (const SubBlock& block : blocks.all)
-			sum += block.windings[operand] * block.volume;
-		most = std::max(most, std::fabs(sum - arrangement.volume[operand]));
-	}
-	const double scale = arrangement.volume[0] + arrangement.volume[1];
-	return most == 0 ? 0 : most / scale;
 }
 
 }  // namespace
@@ -65,15 +53,21 @@ Status runSplit(MeshArrays input, const SplitRequest& request, Progress& progres
 		const std::vector<StageTime>& times = result.split.stageTimes;
 		result.stageTimes.insert(result.stageTimes.end(), times.begin(), times.end());
 	}
+	const Stopwatch meshesTime;
 	if (status.ok()) {
-		Monitor monitor = progress.nextPhase(kMeshesShare);
-		status = collectSurfaceMeshes(request, monitor, result);
+		status = collectSurfaceMeshes(request, progress, result);
 	}
 	if (status.ok() && request.subBlocks) {
-		Monitor monitor = progress.nextPhase(kMeshesShare);
-		status = collectBlockMeshes(monitor, result);
+		status = collectBlockMeshes(progress, result);
 	}
-	result.volumeLawResidual = volumeLawResidual(result.arrangement, result.split.blocks);
+	result.stageTimes.push_back({"split_meshes", meshesTime.seconds()});
+	if (status.ok()) {
+		const Stopwatch auditTime;
+		Monitor monitor = progress.nextPhase(kAuditShare);
+		monitor.beginStage("audit", 0, 1);
+		status = audit(result.arrangement, result.split, result.blockMeshes, monitor, result.audit);
+		result.stageTimes.push_back({"audit", auditTime.seconds()});
+	}
 	result.seconds = total.seconds();
 	return status;
 }

@@ -21,13 +21,13 @@ struct SplitRequest {
 	std::size_t maxLayers = 64;   // above which separateLayers is not followed
 };
 
-// The arrangement, what it is cut into, and the meshes of what was asked for.
+// The arrangement, what it is cut into, the meshes of what was asked for, and their audit.
 struct SplitResult {
 	Arrangement arrangement;
 	Split split;
 	std::array<SplitMesh, 2> surfaceMeshes;  // of each operand; empty unless asked for
 	std::vector<SplitMesh> blockMeshes;      // of each block; none unless asked for
-	double volumeLawResidual = 0;            // of closed operands, relative to their volumes
+	SplitAudit audit;
 	std::vector<StageTime> stageTimes;
 	double seconds = 0;  // from arrays to arrays
 

@@ -219,12 +219,16 @@ Status splitSurfaces(const Arrangement& arrangement, Monitor& monitor, Split& ou
 }
 
 Status extractCurve(const Arrangement& arrangement, Monitor& monitor, CurveLines& out) {
-	return guarded([&] { return drawCurve(arrangement, monitor, out); });
+	return guarded([&] {
+		monitor.beginStage("curve_lines", 0, 1);
+		return drawCurve(arrangement, monitor, out);
+	});
 }
 
 Status extractSubSurfaces(const Arrangement& arrangement, const Split& split, std::size_t operand,
                           Monitor& monitor, SplitMesh& out) {
 	return guarded([&] {
+		monitor.beginStage("split_meshes", 0, 1);
 		return collectSubSurfaces(arrangement, split.surfaces, split.blocks, operand, monitor, out);
 	});
 }
@@ -232,6 +236,7 @@ Status extractSubSurfaces(const Arrangement& arrangement, const Split& split, st
 Status extractSubBlock(const Arrangement& arrangement, const Split& split, SubBlockId block,
                        Monitor& monitor, SplitMesh& out) {
 	return guarded([&] {
+		monitor.beginStage("split_meshes", 0, 1);
 		return collectSubBlock(arrangement, split.surfaces, split.blocks, block, monitor, out);
 	});
 }
@@ -257,6 +262,13 @@ Status audit(const Arrangement& arrangement, const std::vector<Block>& blocks, M
 			status.code = StatusCode::Cancelled;
 		}
 		return status;
+	});
+}
+
+Status audit(const Arrangement& arrangement, const Split& split,
+             const std::vector<SplitMesh>& boundaries, Monitor& monitor, SplitAudit& out) {
+	return guarded([&] {
+		return auditSubBlocks(arrangement, split.surfaces, split.blocks, boundaries, monitor, out);
 	});
 }
 

@@ -14,6 +14,7 @@
 #include "measure.h"
 #include "mesh_arrays.h"
 #include "monitor.h"
+#include "split_audit.h"
 #include "split_meshes.h"
 #include "status.h"
 
@@ -75,5 +76,11 @@ Status extractSubBlock(const Arrangement& arrangement, const Split& split, SubBl
 // \return Ok, Cancelled, OutOfMemory, or InternalError if a block is not closed
 Status audit(const Arrangement& arrangement, const std::vector<Block>& blocks, Monitor& monitor,
              Audit& out);
+
+// Audits the sub-blocks of a split, with their boundaries as delivered; see split_audit.h.
+// \param boundaries of all sub-blocks, in their order, or none
+// \return Ok, Cancelled, OutOfMemory, or InternalError if a check fails
+Status audit(const Arrangement& arrangement, const Split& split,
+             const std::vector<SplitMesh>& boundaries, Monitor& monitor, SplitAudit& out);
 
 }  // namespace index_boolean

@@ -3,6 +3,7 @@
 //
 // The filter in a host's document, in situations that pymeshlab does not let Python make: a
 // callback that answers false, layers with deleted elements. Runs on pymeshlab's own libraries.
+#include <filter_definitions.h>
 #include <filter_indexboolean.h>
 
 #include <vcg_ext/mesh_arrays_vcg.h>
@@ -58,35 +59,52 @@ protected:
 		addOctahedron({0.3, 0.2, 0.1}, "B", document);
 	}
 
-	std::map<std::string, QVariant> run(int cancelAtCall) {
+	std::map<std::string, QVariant> run(int cancelAtCall,
+	                                    FilterId id = FilterId::GenerateIndexBoolean) {
 		calls = 0;
 		cancelAt = cancelAtCall;
-		const QAction* action = filter.actions().front();
+		const QAction* action = *std::next(filter.actions().begin(), static_cast<int>(id));
 		unsigned int mask = 0;
 		return filter.applyFilter(action, filter.initParameterList(action, document), document,
 		                          mask, &hostCallback);
+	}
+
+	// Cancels at each call in turn, until a run comes to its end.
+	void expectCancellingChangesNothing(FilterId id) {
+		const std::vector<int> before = stateOf(document);
+		int cancelled = 0;
+		for (int call = 1;; ++call) {
+			try {
+				run(call, id);
+				break;
+			} catch (const MLException& refusal) {
+				ASSERT_NE(std::string(refusal.what()).find("cancelled"), std::string::npos)
+				    << refusal.what();
+				ASSERT_EQ(calls, call) << "called again after it had answered false";
+				ASSERT_EQ(stateOf(document), before) << "cancelled at call " << call;
+				++cancelled;
+			}
+		}
+		EXPECT_GT(cancelled, 5);
 	}
 
 	FilterIndexBoolean filter;
 	MeshDocument document;
 };
 
-TEST_F(HostDocument, cancellingAtAnyCallThrowsAndChangesNothing) {
-	const std::vector<int> before = stateOf(document);
-	int cancelled = 0;
-	for (int call = 1;; ++call) {
-		try {
-			run(call);
-			break;
-		} catch (const MLException& refusal) {
-			ASSERT_NE(std::string(refusal.what()).find("cancelled"), std::string::npos)
-			    << refusal.what();
-			ASSERT_EQ(stateOf(document), before) << "cancelled at call " << call;
-			++cancelled;
-		}
-	}
-	EXPECT_GT(cancelled, 5);
+TEST_F(HostDocument, cancellingTheBooleanAtAnyCallThrowsAndChangesNothing) {
+	expectCancellingChangesNothing(FilterId::GenerateIndexBoolean);
 	EXPECT_EQ(document.meshNumber(), 6u);
+}
+
+TEST_F(HostDocument, cancellingTheSplitAtAnyCallThrowsAndChangesNothing) {
+	expectCancellingChangesNothing(FilterId::GenerateIndexBooleanSplit);
+	EXPECT_EQ(document.meshNumber(), 5u);
+}
+
+TEST_F(HostDocument, cancellingTheCurvesAtAnyCallThrowsAndChangesNothing) {
+	expectCancellingChangesNothing(FilterId::GenerateIndexBooleanCurves);
+	EXPECT_EQ(document.meshNumber(), 3u);
 }
 
 TEST_F(HostDocument, deletedElementsAreLeftOut) {

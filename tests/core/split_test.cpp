@@ -9,6 +9,7 @@
 
 #include <gtest/gtest.h>
 
+#include <ctime>
 #include <set>
 
 namespace index_boolean {
@@ -22,6 +23,7 @@ struct SplitRun {
 	Split split;
 	std::array<SplitMesh, 2> surfaces;
 	std::vector<SplitMesh> blocks;
+	SplitAudit audit;
 };
 
 SplitRun splitOf(const Mesh& a, const Mesh& b, Options options = {}) {
@@ -37,6 +39,9 @@ SplitRun splitOf(const Mesh& a, const Mesh& b, Options options = {}) {
 	for (std::uint32_t i = 0; i < r.split.blocks.all.size() && r.status.ok(); ++i) {
 		r.blocks.emplace_back();
 		r.status = extractSubBlock(r.arrangement, r.split, {i}, monitor, r.blocks.back());
+	}
+	if (r.status.ok()) {
+		r.status = audit(r.arrangement, r.split, r.blocks, monitor, r.audit);
 	}
 	return r;
 }
@@ -84,6 +89,8 @@ double areaOf(const Mesh& m) {
 // What holds for any two surfaces.
 void expectLaws(const SplitRun& r, const Mesh& a, const Mesh& b) {
 	ASSERT_TRUE(r.status.ok()) << describe(r.status);
+	EXPECT_TRUE(r.audit.closed);
+	EXPECT_LT(r.audit.volumeLawResidual, 1e-13);
 	const SubSurfaces& surfaces = r.split.surfaces;
 	const SubBlocks& blocks = r.split.blocks;
 	const std::array<const Mesh*, 2> meshes{&a, &b};
@@ -191,6 +198,72 @@ TEST(Split, sheetThroughBoxGivesTwoBlocks) {
 	EXPECT_EQ(publicCount(r, 1), 1u);
 	expectVolumes(r, {0.25, 0.75});
 	EXPECT_EQ(r.split.surfaces.atLoop[0].size(), 4u);
+}
+
+Status auditOf(const SplitRun& r, SplitAudit& out) {
+	Monitor monitor;
+	return audit(r.arrangement, r.split, r.blocks, monitor, out);
+}
+
+TEST(SplitAudit, aBoundaryThatIsOpenOrTurnedIsAnError) {
+	const SplitRun right = lawful(unitBox, flatSheet(3, {-1, 2, -1, 2}, 0.25));
+	SplitAudit found;
+	SplitRun open = right;
+	open.blocks[1].triangles.pop_back();
+	EXPECT_EQ(auditOf(open, found).code, StatusCode::InternalError);
+	EXPECT_FALSE(found.closed);
+	SplitRun turned = right;
+	std::swap(turned.blocks[0].triangles[4][0], turned.blocks[0].triangles[4][1]);
+	EXPECT_EQ(auditOf(turned, found).code, StatusCode::InternalError);
+	EXPECT_FALSE(found.closed);
+}
+
+TEST(SplitAudit, aVolumeThatIsNotTheBlocksIsAnError) {
+	const SplitRun right = lawful(unitBox, flatSheet(3, {-1, 2, -1, 2}, 0.25));
+	SplitAudit found;
+	SplitRun swapped = right;
+	std::swap(swapped.blocks[0], swapped.blocks[1]);
+	EXPECT_EQ(auditOf(swapped, found).code, StatusCode::InternalError);
+	EXPECT_TRUE(found.closed);
+	SplitRun lost = right;
+	lost.blocks.pop_back();
+	lost.split.blocks.all.pop_back();
+	EXPECT_EQ(auditOf(lost, found).code, StatusCode::InternalError);
+	EXPECT_NEAR(found.volumeLawResidual, right.split.blocks.all.back().volume, 1e-15);
+}
+
+// The stretches between two calls, in time of the processor, so that a busy machine does no harm.
+TEST(Split, theHostIsAskedOftenOnAMillionFaces) {
+	const Mesh terrain = sheet(707, 707, {0, 1, 0, 1}, [](double x, double y) { return x * y; });
+	const Mesh cut = sheet(60, 60, {-1, 2, -1, 2}, [](double x, double) { return 0.2 + 0.1 * x; });
+	std::map<std::string, double> longest;
+	std::string last;
+	const auto seconds = [] { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; };
+	double before = 0;
+	Monitor monitor([&](double, const char* stage) {
+		const double now = seconds();
+		if (last == stage) {
+			longest[stage] = std::max(longest[stage], now - before);
+		}
+		last = stage;
+		before = now;
+		return true;
+	});
+	Options options;
+	options.threads = 1;
+	SplitRun r;
+	ASSERT_TRUE(arrangeSurfaces(arrays(terrain, cut), options, monitor, r.arrangement).ok());
+	longest.clear();
+	const double start = seconds();
+	ASSERT_TRUE(split(r.arrangement, monitor, r.split).ok());
+	ASSERT_TRUE(extractSubSurfaces(r.arrangement, r.split, 0, monitor, r.surfaces[0]).ok());
+	for (const char* stage : {"sub_surfaces", "split_meshes"}) {
+		EXPECT_EQ(longest.count(stage), 1u) << stage;
+	}
+	const double whole = seconds() - start;
+	for (const auto& [stage, stretch] : longest) {
+		EXPECT_LT(stretch, whole / 6) << stage << " of " << whole << " s";
+	}
 }
 
 // The figures of the papers, in small.

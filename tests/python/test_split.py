@@ -168,14 +168,25 @@ class TestResultMap:
                 expected[f"sub_surfaces_{name}_{what}"] = np.ndarray
             expected[f"sub_blocks_in_{name}"] = np.ndarray
         expected["sub_blocks_volumes"] = np.ndarray
+        expected["sub_blocks_closed"] = bool
         expected["volume_law_residual"] = float
         for key in ("zero_area_faces_removed", "loops_open", "loops_hard_closed",
                     "loops_soft_closed"):
             expected[key] = int
         found = {k: type(v) for k, v in result.items() if not k.startswith("seconds_")}
         assert found == expected
-        stages = {"operands", "octree_pairs", "weld", "loops", "sub_surfaces", "sub_blocks"}
+        stages = {
+            "operands", "octree_pairs", "weld", "loops", "sub_surfaces", "sub_blocks",
+            "split_meshes", "audit",
+        }
         assert {f"seconds_{s}" for s in stages | {"core", "total"}} <= set(result)
+
+    def test_subBlocksAreAuditedAndTheClaimHolds(self):
+        split = Split(CUBE, SHEET)
+        assert split.result["sub_blocks_closed"] is True
+        assert split.result["volume_law_residual"] < 1e-15
+        for number in range(split.result["sub_blocks"]):
+            assert mesh_laws.unmatched_edges(*split.block(number)) == 0
 
     def test_privateAndPublicAreToldApart(self):
         result = Split(CUBE, SHEET).result
