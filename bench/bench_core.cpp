@@ -20,6 +20,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iostream>
+#include <numeric>
 
 namespace {
 
@@ -138,7 +139,8 @@ struct Outcome {
 	std::vector<Block> blocks;
 	Audit audit;
 	std::array<std::size_t, 2> subSurfaces{};
-	std::size_t subBlocks = 0;
+	std::vector<double> subBlockVolumes;
+	SplitAudit splitAudit;
 };
 
 MeshArrays copyIn(const Operands& operands) {
@@ -180,7 +182,7 @@ Status readBlocks(const Arrangement& arrangement, const std::vector<Operation>& 
 	return status;
 }
 
-// The stages after an arrangement for splitting: all parts, and the meshes of the sub-surfaces.
+// The stages after an arrangement for splitting: all parts, their meshes, and the audit.
 Status readParts(const Arrangement& arrangement, StopWatch& stage, Outcome& out) {
 	Monitor monitor;
 	Split parts;
@@ -194,8 +196,17 @@ Status readParts(const Arrangement& arrangement, StopWatch& stage, Outcome& out)
 		status = extractSubSurfaces(arrangement, parts, k, monitor, mesh);
 		out.subSurfaces[k] = parts.surfaces.ofOperand[k].size();
 	}
-	out.subBlocks = parts.blocks.all.size();
 	out.stages.emplace_back("sub-surface meshes", stage.lap());
+	std::vector<SplitMesh> boundaries(parts.blocks.all.size());
+	for (std::size_t i = 0; i < boundaries.size() && status.ok(); ++i) {
+		status = extractSubBlock(arrangement, parts, makeId<SubBlockTag>(i), monitor, boundaries[i]);
+		out.subBlockVolumes.push_back(parts.blocks.all[i].volume);
+	}
+	out.stages.emplace_back("sub-block meshes", stage.lap());
+	if (status.ok()) {
+		status = audit(arrangement, parts, boundaries, monitor, out.splitAudit);
+	}
+	out.stages.emplace_back("audit", stage.lap());
 	return status;
 }
 
@@ -317,7 +328,10 @@ Status measure(const CommandLine& commandLine, const Operands& operands,
 		                {"soft_closed", outcome.loops.softClosed}};
 		if (operations.empty()) {
 			out["sub_surfaces"] = outcome.subSurfaces;
-			out["sub_blocks"] = outcome.subBlocks;
+			out["sub_blocks"] = outcome.subBlockVolumes.size();
+			out["sub_blocks_closed"] = outcome.splitAudit.closed;
+			out["sub_blocks_volume"] = std::accumulate(outcome.subBlockVolumes.begin(),
+			                                           outcome.subBlockVolumes.end(), 0.0);
 		} else {
 			out["volume_law_residual"] = outcome.audit.volumeLawResidual;
 			out["blocks"] = describeBlocks(outcome);

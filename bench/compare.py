@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The Index Boolean authors
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Runs the core and the filter beside other Boolean libraries on the same arrays and cores.
+"""Runs the core and the filter beside other libraries on the same arrays and cores.
 
 in: the built benchmark and plugin, and the folder of INDEXBOOLEAN_MESHES; out: compare.json and
 compare.md (also printed): medians and ratios. Each peer runs in its own process, so that a crash
@@ -25,8 +25,11 @@ from rich.table import Table
 HERE = Path(__file__).resolve().parent
 LIBRARIES = ["trueform", "MeshLib", "Manifold", "CGAL", "libigl", "VTK"]
 FILTERS = ["filter", "MeshLab"]
+SPLITTERS = ["trueform_arrangement", "trueform_cells"]  # of the peer trueform
 VOLUME_TOLERANCE = 1e-6  # some peers compute in float32
-OPERATION_SIGNS = {"union": "∪", "intersection": "∩", "first_minus_second": "−"}
+OPERATION_SIGNS = {
+    "union": "∪", "intersection": "∩", "first_minus_second": "−", "split": "cut by",
+}
 
 
 @dataclass
@@ -71,6 +74,13 @@ def wall_case(squares):
     return Case(name, "union", ["--grid-boxes", str(squares)])
 
 
+def terrain_case(faces):
+    """Two open surfaces, which are split."""
+    sheet = faces // 10
+    name = f"terrain {{}} sheet ({faces / 1000:.4g}k, {sheet / 1000:.4g}k)"
+    return Case(name, "split", ["--terrain", str(faces), str(sheet)])
+
+
 def mesh_cases(folder):
     def pair(name, operation, first, second):
         files = (folder / first, folder / second)
@@ -98,8 +108,9 @@ def mesh_cases(folder):
 
 def run_core(args, case, arrays):
     """The JSON of index_boolean_bench, or {"error": ...}."""
+    operation = ["--split"] if case.operation == "split" else ["--operation", case.operation]
     command = [
-        args.bench, *case.arguments, "--operation", case.operation,
+        args.bench, *case.arguments, *operation,
         "--runs", str(args.runs), "--save-arrays", str(arrays),
     ]
     try:
@@ -145,12 +156,19 @@ def run_peer(args, name, case, arrays):
     return peer
 
 
+def peers_for(case, peers):
+    """Those of the peers that can do it."""
+    if case.operation != "split":
+        return peers
+    return SPLITTERS if "trueform" in peers else []
+
+
 def measure(args, case):
     arrays = args.out / "arrays"
     row = {"case": case.title(), "operation": case.operation, "peers": {}}
     print(f"{row['case']}: core", end="", file=sys.stderr, flush=True)
     row["core"] = run_core(args, case, arrays)
-    for name in args.peers:
+    for name in peers_for(case, args.peers):
         print(f", {name}", end="", file=sys.stderr, flush=True)
         row["peers"][name] = run_peer(args, name, case, arrays)
     print(file=sys.stderr)
@@ -163,6 +181,8 @@ def duration(seconds):
 
 def reference_volume(row):
     """The core's volume, or the peers' median where the core gives none."""
+    if row["operation"] == "split":
+        return row["core"].get("split", {}).get("sub_blocks_volume")
     core = row["core"].get("one_operation", {}).get("blocks", {}).get(row["operation"])
     volumes = [peer["volume"] for peer in row["peers"].values() if "volume" in peer]
     return core["volume"] if core else statistics.median(volumes) if volumes else None
@@ -178,11 +198,21 @@ def peer_cell(row, name, base):
         return f"> {duration(peer['cut'])}{ratio}"
     if "error" in peer:
         return peer["error"][:40]
-    reference = reference_volume(row)
-    marks = "" if abs(peer["volume"] - reference) <= VOLUME_TOLERANCE * abs(reference) else "*"
-    marks += "" if peer["closed"] else "!"
     ratio = f" ({peer['seconds'] / base:.1f}×)" if base else ""
-    return f"{duration(peer['seconds'])}{marks}{ratio}"
+    return f"{duration(peer['seconds'])}{marks(row, peer)}{ratio}"
+
+
+def marks(row, peer):
+    """None for a result that bounds nothing."""
+    if "volume" not in peer:
+        return ""
+    reference = reference_volume(row)
+    right = reference is None or (
+        abs(peer["volume"] - reference) <= VOLUME_TOLERANCE * abs(reference)
+    )
+    if "cells" in peer and "split" in row["core"]:
+        right = right and peer["cells"] == row["core"]["split"]["sub_blocks"]
+    return ("" if right else "*") + ("" if peer["closed"] else "!")
 
 
 def core_seconds(row, which):
@@ -220,6 +250,19 @@ def library_table(rows, peers):
     return markdown(headers, table)
 
 
+def split_table(rows):
+    table = []
+    for row in rows:
+        base = core_seconds(row, "split")
+        peers = [peer_cell(row, name, base) for name in SPLITTERS]
+        table.append([row["case"], core_cell(row, "split"), *peers])
+    headers = [
+        "case", "core, all sub-surfaces and sub-blocks", "trueform, arrangement",
+        "trueform, arrangement and cells",
+    ]
+    return markdown(headers, table)
+
+
 def filter_table(rows):
     table = []
     for row in rows:
@@ -244,11 +287,17 @@ def report(machine, rows, peers):
         f"{machine['processor']}, {machine['cores']} cores, load {machine['load']:.1f} at the "
         f"start. Medians of {machine['runs']} runs after a warm-up (of one run where it takes more "
         "than 10 s). In parentheses: the time as a multiple of the first column's. "
-        "`*` the volume is off by more than 1e-6 of itself, `!` the result is not closed.",
-        "Arrays in, arrays out, fresh meshes:\n\n" + library_table(rows, peers),
+        "`*` the volume is off by more than 1e-6 of itself or cells are too many or few, `!` the "
+        "result is not closed.",
     ]
-    if "filter" in peers:
-        parts.append("Filter calls in pymeshlab, layers to layers:\n\n" + filter_table(rows))
+    booleans = [row for row in rows if row["operation"] != "split"]
+    splits = [row for row in rows if row["operation"] == "split"]
+    if booleans:
+        parts.append("Arrays in, arrays out, fresh meshes:\n\n" + library_table(booleans, peers))
+    if splits:
+        parts.append("Open surfaces, arrays in, arrays out:\n\n" + split_table(splits))
+    if booleans and "filter" in peers:
+        parts.append("Filter calls in pymeshlab, layers to layers:\n\n" + filter_table(booleans))
     versions = {
         peer["package"]: peer["version"]
         for row in rows for peer in row["peers"].values() if "version" in peer
@@ -266,6 +315,7 @@ def parse_arguments():
     add("--peers", help="comma-separated, default: all; none: the core alone")
     add("--cases", default="", help="only cases whose title contains this")
     add("--spheres", type=int, default=328000, help="faces of the generated spheres")
+    add("--terrain", type=int, default=1000000, help="faces of the generated terrain")
     add("--runs", type=int, default=5)
     add("--limit", type=float, default=120, help="seconds that one run may take")
     add("--cores", type=int, default=2)
@@ -279,7 +329,10 @@ def parse_arguments():
 
 
 def select_cases(args):
-    cases = [*sphere_cases(args.spheres), *twin_cases(args.spheres // 4), wall_case(64)]
+    cases = [
+        *sphere_cases(args.spheres), *twin_cases(args.spheres // 4), wall_case(64),
+        terrain_case(args.terrain),
+    ]
     folder = os.environ.get("INDEXBOOLEAN_MESHES")
     if folder:
         cases += mesh_cases(Path(folder).resolve())

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The Index Boolean authors
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Times one Boolean of one peer, from arrays to arrays; compare.py starts it for each.
+"""Times one Boolean or split of one peer, from arrays to arrays; compare.py starts it for each.
 
 in: a folder of arrays (index_boolean_bench --save-arrays); out: one JSON object per line, the
 seconds of each run and then the result's figures. A run that takes longer than the limit ends the
@@ -43,6 +43,15 @@ class Peer:
     def arrays(self, result):
         return result
 
+    def figures(self, result):
+        """What the result is checked by."""
+        points, triangles = self.arrays(result)
+        return {
+            "faces": len(triangles),
+            "volume": volume(points, triangles) if len(triangles) else 0.0,
+            "closed": is_closed(triangles),
+        }
+
     def converted(self, point_type, index_type):
         """Both operands as contiguous arrays of other types."""
         return [
@@ -78,7 +87,7 @@ class Manifold(Peer):
         return mesh.vert_properties, mesh.tri_verts
 
 
-class Trueform(Peer):
+class TrueformPeer(Peer):
     package = "trueform"
 
     def __init__(self, *args):
@@ -87,18 +96,55 @@ class Trueform(Peer):
 
         self.library = trueform
         self.operands = self.converted(np.float64, np.int32)
+
+    def meshes(self):
+        return [self.library.Mesh(triangles, points) for points, triangles in self.operands]
+
+
+class Trueform(TrueformPeer):
+    def __init__(self, *args):
+        super().__init__(*args)
         self.call = {
-            "union": trueform.boolean_union,
-            "intersection": trueform.boolean_intersection,
-            "first_minus_second": trueform.boolean_difference,
+            "union": self.library.boolean_union,
+            "intersection": self.library.boolean_intersection,
+            "first_minus_second": self.library.boolean_difference,
         }[self.operation]
 
     def run(self):
-        first, second = (
-            self.library.Mesh(triangles, points) for points, triangles in self.operands
-        )
-        (triangles, points), *_ = self.call(first, second)
+        (triangles, points), *_ = self.call(*self.meshes())
         return points, triangles
+
+
+class TrueformArrangement(TrueformPeer):
+    """Both operands cut at each other: one mesh, whose faces know where they come from."""
+
+    def run(self):
+        (triangles, points), *_ = self.library.mesh_arrangements(self.meshes())
+        return points, triangles
+
+    def figures(self, result):
+        return {"faces": len(result[1])}
+
+
+class TrueformCells(TrueformArrangement):
+    """The arrangement, and from it a mesh of each bounded cell."""
+
+    def run(self):
+        points, triangles = super().run()
+        labels = self.library.domain_labels(
+            (triangles, points), ignore_open_fragments=True, exclude_outer_shell=True
+        )
+        cells, _ = self.library.split_into_domains((triangles, points), labels)
+        return [(points, triangles) for triangles, points in cells]
+
+    def figures(self, result):
+        cells = [Peer.figures(self, cell) for cell in result]
+        return {
+            "faces": sum(cell["faces"] for cell in cells),
+            "volume": sum(cell["volume"] for cell in cells),
+            "closed": all(cell["closed"] for cell in cells),
+            "cells": len(cells),
+        }
 
 
 class MeshLib(Peer):
@@ -237,6 +283,8 @@ class IndexBooleanFilter(MeshLab):
 
 PEERS = {
     "trueform": Trueform,
+    "trueform_arrangement": TrueformArrangement,
+    "trueform_cells": TrueformCells,
     "MeshLib": MeshLib,
     "Manifold": Manifold,
     "CGAL": Cgal,
@@ -293,7 +341,7 @@ def main():
     parser.add_argument("peer", choices=PEERS)
     parser.add_argument("arrays", type=Path)
     parser.add_argument(
-        "operation", choices=["union", "intersection", "first_minus_second"]
+        "operation", choices=["union", "intersection", "first_minus_second", "split"]
     )
     parser.add_argument("--runs", type=int, default=5, help="timed runs after a warm-up")
     parser.add_argument("--limit", type=float, default=120, help="seconds that a run may take")
@@ -314,16 +362,11 @@ def main():
                 result = None
                 seconds, result = timed_run(peer, args.limit)
                 emit(seconds=seconds)
-        points, triangles = peer.arrays(result)
+        figures = peer.figures(result)
     except Exception as error:
         emit(error=str(error).strip().splitlines()[0] if str(error) else repr(error))
         return 1
-    emit(
-        faces=len(triangles),
-        volume=volume(points, triangles) if len(triangles) else 0.0,
-        closed=is_closed(triangles),
-        peak_memory_bytes=peak_memory(),
-    )
+    emit(**figures, peak_memory_bytes=peak_memory())
     return 0
 
 

@@ -120,3 +120,35 @@ def test_comparisonWritesItsTable(tmp_path):
     assert manifold["volume"] == pytest.approx(core["blocks"]["union"]["volume"], rel=1e-9)
     assert manifold["closed"] and len(manifold["seconds_each_run"]) == 1
     assert "| Manifold " in (tmp_path / "compare.md").read_text()
+
+
+def split_case(tmp_path, peers):
+    command = [
+        sys.executable, ROOT / "bench/compare.py", "--bench", BENCH, "--out", tmp_path,
+        "--terrain", "20000", "--cases", "terrain", "--runs", "1", "--peers", peers,
+    ]
+    subprocess.run(command, check=True, capture_output=True, timeout=120)
+    (row,) = json.loads((tmp_path / "compare.json").read_text())["rows"]
+    return row, (tmp_path / "compare.md").read_text()
+
+
+def test_comparisonSplitsATerrainByASheet(tmp_path):
+    row, table = split_case(tmp_path, "none")
+    split = row["core"]["split"]
+    assert [operand["faces"] for operand in row["core"]["operands"]] == [20000, 2048]
+    assert split["sub_blocks"] > 1 and split["sub_blocks_closed"]
+    assert split["sub_blocks_volume"] > 0 and split["loops"]["open"] > 0
+    assert list(split["seconds_per_stage"])[-4:] == [
+        "sub-surface meshes", "sub-block meshes", "audit", "free",
+    ]
+    assert "terrain cut by sheet (20k, 2k)" in table
+
+
+def test_trueformsCellsAreTheSubBlocks(tmp_path):
+    pytest.importorskip("trueform", reason="bench/requirements.txt is not installed")
+    row, table = split_case(tmp_path, "trueform")
+    split, cells = row["core"]["split"], row["peers"]["trueform_cells"]
+    assert cells["cells"] == split["sub_blocks"] and cells["closed"]
+    assert cells["volume"] == pytest.approx(split["sub_blocks_volume"], rel=1e-9)
+    assert len(row["peers"]["trueform_arrangement"]["seconds_each_run"]) == 1
+    assert "trueform, arrangement and cells" in table and "*" not in table.splitlines()[-3]
