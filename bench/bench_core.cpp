@@ -199,7 +199,8 @@ Status readParts(const Arrangement& arrangement, StopWatch& stage, Outcome& out)
 	out.stages.emplace_back("sub-surface meshes", stage.lap());
 	std::vector<SplitMesh> boundaries(parts.blocks.all.size());
 	for (std::size_t i = 0; i < boundaries.size() && status.ok(); ++i) {
-		status = extractSubBlock(arrangement, parts, makeId<SubBlockTag>(i), monitor, boundaries[i]);
+		status =
+		    extractSubBlock(arrangement, parts, makeId<SubBlockTag>(i), monitor, boundaries[i]);
 		out.subBlockVolumes.push_back(parts.blocks.all[i].volume);
 	}
 	out.stages.emplace_back("sub-block meshes", stage.lap());

@@ -12,8 +12,7 @@ namespace index_boolean {
 
 namespace {
 
-constexpr double kArrangingShare = 0.4, kFindingShare = 0.2, kMeshesShare = 0.1,
-                 kAuditShare = 0.05;
+constexpr double kArrangingShare = 0.4, kFindingShare = 0.2, kMeshesShare = 0.1, kAuditShare = 0.05;
 
 Status collectSurfaceMeshes(const SplitRequest& request, Progress& progress, SplitResult& result) {
 	Status status;

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Rounding moves each point by at most a step; a face then sweeps at most the step times the square
-// of the largest distance. Volumes beyond the range of double tell nothing: closedness alone counts.
+// of the largest distance. Volumes beyond the range of double tell nothing: closedness alone
+// counts.
 #include "split_audit.h"
 
 #include "measure.h"
@@ -42,7 +43,8 @@ private:
 	double diagonal_, step_;
 };
 
-// The volume of the blocks in an operand less its own: 0 but for roundings, as also where it is open.
+// The volume of the blocks in an operand less its own: 0 but for roundings, as also where it is
+// open.
 double lawDifference(const Arrangement& arrangement, const SubBlocks& blocks, std::size_t operand) {
 	double sum = 0;
 	for (const SubBlock& block : blocks.all) {

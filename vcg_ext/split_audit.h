@@ -3,8 +3,8 @@
 //
 // in: sub-blocks and their boundaries as delivered; out: whether these are closed and consistently
 // oriented, and whether volumes add up.
-// Guarantee: a boundary that is not closed is found but with a probability of 2^-64; a volume counts
-// as wrong only where no rounding of coordinates and sums can explain it.
+// Guarantee: a boundary that is not closed is found but with a probability of 2^-64; a volume
+// counts as wrong only where no rounding of coordinates and sums can explain it.
 #pragma once
 
 #include "split_meshes.h"

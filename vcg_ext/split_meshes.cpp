@@ -159,8 +159,8 @@ Status collectSubSurfaces(const Arrangement& arrangement, const SubSurfaces& sur
 			const FaceId source = faces[f].sources[operand];
 			if (source != FaceId::none()) {
 				const bool isOther = source != faces[f].source();
-				collector.choose({static_cast<std::uint32_t>(f), {source, false},
-				                  isOther && faces[f].opposed});
+				collector.choose(
+				    {static_cast<std::uint32_t>(f), {source, false}, isOther && faces[f].opposed});
 			}
 		}
 	};

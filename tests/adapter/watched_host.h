@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Index Boolean authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A host's callback that keeps what it has seen and cancels when it is told to, and boxes to run on.
+// A host's callback that keeps what it has seen and cancels when it is told to, and boxes to run
+// on.
 #pragma once
 
 #include <progress.h>
