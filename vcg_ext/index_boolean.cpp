@@ -124,8 +124,9 @@ double largestLawResidual(const std::array<double, 2>& operand, const BlockVolum
 	for (const double law : laws) {
 		most = std::fmax(most, std::fabs(law));  // fmax passes over NaN: a block not delivered
 	}
-	const double scale = operand[0] + operand[1];
-	return most == 0 ? 0 : most / scale;
+	// Of volumes beyond the range of double no law tells anything; closedness is what counts then.
+	const double residual = most / (operand[0] + operand[1]);
+	return std::isfinite(residual) ? residual : 0;
 }
 
 // What an arrangement is for: blocks need closed operands and labels, splitting needs neither.

@@ -63,6 +63,17 @@ TEST(Extremes, powersOfTwoFromTheSmallestNumberOnGiveTheSameTriangles) {
 	}
 }
 
+// Each operand's volume is a double, their union's is not: no law tells anything of it.
+TEST(Extremes, volumesBeyondTheRangeOfDoubleLeaveTheLawsAside) {
+	constexpr double kSide = 4.9e102;
+	const BooleanRun r =
+	    run(box({0, 0, 0}, {kSide, kSide, kSide}), box({kSide, 0, 0}, {2 * kSide, kSide, kSide}));
+	expectKeptPromises(r);
+	EXPECT_EQ(r.audit.blocks[0].volume, HUGE_VAL);
+	EXPECT_LT(r.audit.blocks[2].volume, HUGE_VAL);
+	EXPECT_EQ(r.audit.volumeLawResidual, 0);
+}
+
 // Rounded sizes: edges that crossed now pass each other closely.
 TEST(Extremes, otherSizesKeepTheirPromises) {
 	constexpr double kLargest = std::numeric_limits<double>::max() / 8;
