@@ -39,7 +39,7 @@ def one_operation(bench, case, *options):
 
 def table_row(case, counted, timed, base):
     """The row's cells, and the seconds that a pair takes; `base`: those of the first case."""
-    signs = counted["signs"]
+    signs = counted.get("signs", {})  # none where no question was asked
 
     def total(decider, predicates):
         return sum(signs.get(predicate, {}).get(decider, 0) for predicate in predicates)
@@ -73,15 +73,17 @@ def main():
     parser.add_argument("--counting", default="build/count-signs/bench/index_boolean_bench")
     parser.add_argument("--timing", default="build/release/bench/index_boolean_bench")
     parser.add_argument("--spheres", type=int, default=328000, help="faces of the spheres")
+    parser.add_argument("--runs", type=int, default=5, help="timed runs of each case")
     parser.add_argument("--cases", default="", help="only cases whose title contains this")
     parser.add_argument("--page", type=Path, help="a page with <!-- signs --> marks")
     args = parser.parse_args()
     rows, base = [], None
     for case in compare.select_cases(args):
         counted = one_operation(args.counting, case, "--runs", "1", "--warmups", "0")
-        if "signs" not in counted:
+        if "signs" not in counted and base is None:
             sys.exit(f"{args.counting} does not count: build it by the preset count-signs")
-        row, each = table_row(case, counted, one_operation(args.timing, case), base)
+        timed = one_operation(args.timing, case, "--runs", str(args.runs))
+        row, each = table_row(case, counted, timed, base)
         base = base or each
         rows.append(row)
         print(" | ".join(row), file=sys.stderr, flush=True)
