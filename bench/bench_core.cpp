@@ -8,6 +8,7 @@
 // Every run starts anew. Exit status: 0 done, 1 refused or unreadable input, 2 usage.
 #include "operands.h"
 
+#include <vcg_ext/huge_pages.h>
 #include <vcg_ext/index_boolean.h>
 #include <vcg_ext/sign_counts.h>
 
@@ -151,8 +152,8 @@ MeshArrays copyIn(const Operands& operands) {
 		arrays.faceBegin[k + 1] =
 		    arrays.faceBegin[k] + static_cast<std::uint32_t>(operands[k].triangles.size());
 	}
-	arrays.points.reserve(arrays.vertexBegin[2]);
-	arrays.triangles.reserve(arrays.faceBegin[2]);
+	reserveHuge(arrays.points, arrays.vertexBegin[2]);
+	reserveHuge(arrays.triangles, arrays.faceBegin[2]);
 	for (std::size_t k = 0; k < 2; ++k) {
 		const std::uint32_t begin = arrays.vertexBegin[k];
 		arrays.points.insert(arrays.points.end(), operands[k].points.begin(),

@@ -5,6 +5,7 @@
 // has to mark its corners.
 #include "blocks.h"
 
+#include "huge_pages.h"
 #include "parallel.h"
 #include "weld.h"
 
@@ -88,7 +89,8 @@ private:
 	bool keepsFace(std::size_t face) const {
 		return arrangement_.refinement.isCut[face] == 0 && uncutRule(face).kept;
 	}
-	void addCurvePoints();
+	std::vector<VertexId> keptOnOther() const;
+	void addOnOther(const std::vector<VertexId>& vertices);
 	void markSuspects(const std::vector<VertexId>& onCurve);
 	void write(std::size_t slot, const std::array<std::uint32_t, 3>& corners, FaceId face,
 	           bool turned);
@@ -97,7 +99,7 @@ private:
 	const Rule (&rules_)[2][4];
 	Monitor& monitor_;
 	Block& out_;
-	std::vector<std::uint32_t> newIndex_;  // per input vertex and curve point that is kept
+	std::unique_ptr<std::uint32_t[]> newIndex_;  // per input vertex and curve point that is kept
 };
 
 // Counts what `keeps` in each chunk of n items; returns where each chunk's begin, the total last.
@@ -128,7 +130,10 @@ Status Collector::collectVertices() {
 	if (!status.ok()) {
 		return status;
 	}
-	newIndex_.resize(n + arrangement_.curve.pointCount());
+	newIndex_ = makeHuge<std::uint32_t>(n + arrangement_.curve.pointCount());
+	const std::vector<VertexId> onOther = keptOnOther();
+	reserveHuge(out_.points, begins.back() + onOther.size());
+	reserveHuge(out_.vertexSource, begins.back() + onOther.size());
 	out_.points.resize(begins.back());
 	out_.vertexSource.resize(begins.back());
 	status = parallelForChunks(
@@ -143,7 +148,7 @@ Status Collector::collectVertices() {
 			    }
 		    }
 	    });
-	addCurvePoints();
+	addOnOther(onOther);
 	return status;
 }
 
@@ -166,8 +171,8 @@ void Collector::visitKeptPieces(Visit&& visit) const {
 	}
 }
 
-// Adds the vertices on the other operand that kept faces use, in the order of their ids.
-void Collector::addCurvePoints() {
+// The vertices on the other operand that kept faces use, in the order of their ids.
+std::vector<VertexId> Collector::keptOnOther() const {
 	std::vector<VertexId> used;
 	const auto use = [&](const Triangle& t) {
 		for (const VertexId v : t) {
@@ -184,12 +189,16 @@ void Collector::addCurvePoints() {
 	}
 	std::sort(used.begin(), used.end());
 	used.erase(std::unique(used.begin(), used.end()), used.end());
-	for (const VertexId v : used) {
+	return used;
+}
+
+void Collector::addOnOther(const std::vector<VertexId>& vertices) {
+	for (const VertexId v : vertices) {
 		at(newIndex_, v) = static_cast<std::uint32_t>(out_.points.size());
 		out_.points.push_back(outputCoordinates(arrangement_, v));
 		out_.vertexSource.push_back(v);
 	}
-	markSuspects(used);
+	markSuspects(vertices);
 }
 
 // A symmetric difference meets itself all along the curve.
@@ -228,6 +237,9 @@ Status Collector::collectFaces() {
 	if (!status.ok()) {
 		return status;
 	}
+	const std::size_t most = begins.back() + arrangement_.refinement.pieces.size();
+	reserveHuge(out_.triangles, most);
+	reserveHuge(out_.faceSource, most);
 	out_.triangles.resize(begins.back());
 	out_.faceSource.resize(begins.back());
 	return parallelForChunks(
