@@ -7,11 +7,13 @@
 // the origin and at any scale. A volume beyond the range of double becomes infinite or 0.
 #include "measure.h"
 
+#include "huge_pages.h"
 #include "mesh_checks.h"
 #include "parallel.h"
 #include "surface_sums.h"
 
 #include <atomic>
+#include <memory>
 
 namespace index_boolean {
 
@@ -21,36 +23,18 @@ constexpr std::size_t kGrain = 8192;
 
 using Corners = std::array<std::uint32_t, 3>;
 
-Status sumTriangles(const std::vector<Point>& points, const std::vector<Corners>& triangles,
-                    const SumFrame& frame, int threads, SurfaceSums& out) {
-	Monitor unheard;
-	std::vector<SurfaceSums> parts(chunkCount(triangles.size(), kGrain));
-	const Status status =
-	    parallelForChunks(triangles.size(), kGrain, threads, unheard,
-	                      [&](std::size_t chunk, std::size_t begin, std::size_t end) {
-		                      for (std::size_t i = begin; i < end; ++i) {
-			                      const Corners& t = triangles[i];
-			                      addTriangle(frame.map(points[t[0]]), frame.map(points[t[1]]),
-			                                  frame.map(points[t[2]]), parts[chunk]);
-		                      }
-	                      });
-	for (const SurfaceSums& part : parts) {
-		out.add(part, 1);
-	}
-	return status;
-}
-
 // Sets of vertices that threads unite at the same time without locks. A vertex's parent never lies
 // above it, so that the lowest vertex of a set is its root, in whatever order sets are united.
 class VertexSets {
 public:
-	explicit VertexSets(std::size_t size) : parents_(size) {
-		for (auto& parent : parents_)
-			parent.store(kUnused, std::memory_order_relaxed);
-	}
+	explicit VertexSets(std::size_t size)
+	    : size_(size), parents_(makeHuge<std::atomic<std::uint32_t>>(size)) {}
 
-	// Marks a vertex as used. All are marked before any are united.
-	void use(std::uint32_t vertex) { parents_[vertex].store(vertex, std::memory_order_relaxed); }
+	// Before any are united: no vertex of [begin, end) is in a set.
+	void clear(std::size_t begin, std::size_t end) {
+		for (std::size_t i = begin; i < end; ++i)
+			parents_[i].store(kUnused, std::memory_order_relaxed);
+	}
 
 	void unite(std::uint32_t a, std::uint32_t b) {
 		while (true) {
@@ -66,10 +50,9 @@ public:
 		}
 	}
 
-	// The number of roots in [begin, end).
-	std::size_t countRoots(std::size_t begin, std::size_t end) const {
+	std::size_t count() const {
 		std::size_t count = 0;
-		for (std::size_t i = begin; i < end; ++i)
+		for (std::size_t i = 0; i < size_; ++i)
 			count += parents_[i].load(std::memory_order_relaxed) == i ? 1 : 0;
 		return count;
 	}
@@ -77,45 +60,45 @@ public:
 private:
 	static constexpr std::uint32_t kUnused = 0xffffffff;
 
+	// A vertex becomes a set when its root is first asked for. What a vertex below its root points
+	// to may be stored over by another thread, but only by a vertex of its set that is above the
+	// root as well.
 	std::uint32_t root(std::uint32_t vertex) {
 		std::uint32_t parent = parents_[vertex].load(std::memory_order_relaxed);
+		if (parent == kUnused &&
+		    parents_[vertex].compare_exchange_strong(parent, vertex, std::memory_order_relaxed))
+			return vertex;
 		while (parent != vertex) {
 			const std::uint32_t grandparent = parents_[parent].load(std::memory_order_relaxed);
-			if (grandparent != parent) {
-				parents_[vertex].compare_exchange_weak(parent, grandparent,
-				                                       std::memory_order_relaxed);
-			}
+			if (grandparent != parent)
+				parents_[vertex].store(grandparent, std::memory_order_relaxed);
 			vertex = grandparent;
 			parent = parents_[vertex].load(std::memory_order_relaxed);
 		}
 		return vertex;
 	}
 
-	std::vector<std::atomic<std::uint32_t>> parents_;
+	std::size_t size_;
+	std::unique_ptr<std::atomic<std::uint32_t>[]> parents_;
 };
 
-Status countComponents(std::size_t pointCount, const std::vector<Corners>& triangles, int threads,
-                       std::size_t& out) {
-	Monitor unheard;
-	VertexSets sets(pointCount);
-	Status status = parallelFor(triangles.size(), kGrain, threads, unheard,
-	                            [&](std::size_t begin, std::size_t end) {
-		                            for (std::size_t i = begin; i < end; ++i) {
-			                            for (const std::uint32_t vertex : triangles[i])
-				                            sets.use(vertex);
-		                            }
-	                            });
-	if (!status.ok())
-		return status;
-	status = parallelFor(triangles.size(), kGrain, threads, unheard,
-	                     [&](std::size_t begin, std::size_t end) {
-		                     for (std::size_t i = begin; i < end; ++i) {
-			                     sets.unite(triangles[i][0], triangles[i][1]);
-			                     sets.unite(triangles[i][1], triangles[i][2]);
-		                     }
-	                     });
-	out = sets.countRoots(0, pointCount);
-	return status;
+// What one pass over a part of the triangles adds up.
+struct Totals {
+	SurfaceSums sums;
+	std::uint64_t boundary = 0;
+};
+
+Totals lookAt(const Corners* begin, const Corners* end, const std::vector<Point>& points,
+              const SumFrame& frame, VertexSets& sets) {
+	Totals totals;
+	for (const Corners* t = begin; t != end; ++t) {
+		const auto [a, b, c] = *t;
+		addTriangle(frame.map(points[a]), frame.map(points[b]), frame.map(points[c]), totals.sums);
+		totals.boundary += boundaryTerm(a, b, c);
+		sets.unite(a, b);
+		sets.unite(b, c);
+	}
+	return totals;
 }
 
 }  // namespace
@@ -129,21 +112,32 @@ BlockMeasure measureSurface(const std::vector<Point>& points,
 		return measure;
 	Monitor unheard;
 	BoundingBox box{};
-	SurfaceSums sums;
-	std::uint64_t checksum = 0;
 	Status status = findBoundingBox(points.data(), points.size(), threads, unheard, box);
 	const SumFrame frame = makeSumFrame(box);
-	if (status.ok())
-		status = sumTriangles(points, triangles, frame, threads, sums);
-	if (status.ok())
-		status = countComponents(points.size(), triangles, threads, measure.components);
+	VertexSets sets(points.size());
 	if (status.ok()) {
-		status = boundaryChecksum(triangles.data(), triangles.data() + triangles.size(), threads,
-		                          unheard, checksum);
+		status =
+		    parallelFor(points.size(), kGrain, threads, unheard,
+		                [&sets](std::size_t begin, std::size_t end) { sets.clear(begin, end); });
 	}
-	measure.volume = volumeOf(sums, frame);
-	measure.area = areaOf(sums, frame);
-	measure.closed = status.ok() && checksum == 0;
+	std::vector<Totals> parts(chunkCount(triangles.size(), kGrain));
+	if (status.ok()) {
+		const Corners* all = triangles.data();
+		status = parallelForChunks(triangles.size(), kGrain, threads, unheard,
+		                           [&](std::size_t chunk, std::size_t begin, std::size_t end) {
+			                           parts[chunk] =
+			                               lookAt(all + begin, all + end, points, frame, sets);
+		                           });
+	}
+	Totals totals;
+	for (const Totals& part : parts) {
+		totals.sums.add(part.sums, 1);
+		totals.boundary += part.boundary;
+	}
+	measure.volume = volumeOf(totals.sums, frame);
+	measure.area = areaOf(totals.sums, frame);
+	measure.components = sets.count();
+	measure.closed = status.ok() && totals.boundary == 0;
 	return measure;
 }
 

@@ -16,19 +16,6 @@ namespace {
 
 constexpr std::size_t kGrain = 16384;
 
-// A fixed bijection in which every bit of the key changes every bit of the hash about half the
-// time: two rounds of multiplying by an odd number and folding the high half onto the low one.
-std::uint64_t edgeHash(std::uint32_t lower, std::uint32_t upper) {
-	std::uint64_t hash = (std::uint64_t{lower} << 32 | upper) + 0x5851f42d4c957f2dU;
-	hash = (hash ^ hash >> 32) * 0xd6e8feb86659fd93U;
-	hash = (hash ^ hash >> 29) * 0xa0761d6478bd642fU;
-	return hash ^ hash >> 32;
-}
-
-std::uint64_t signedEdgeHash(std::uint32_t from, std::uint32_t to) {
-	return from < to ? edgeHash(from, to) : 0 - edgeHash(to, from);
-}
-
 std::uint32_t indexOf(VertexId vertex) { return vertex.value; }
 std::uint32_t indexOf(std::uint32_t vertex) { return vertex; }
 
@@ -41,10 +28,8 @@ Status checksumOf(const Corners* triangles, std::size_t count, int threads, Moni
 	    [&](std::size_t chunk, std::size_t begin, std::size_t end) {
 		    std::uint64_t part = 0;
 		    for (std::size_t i = begin; i < end; ++i) {
-			    const std::uint32_t u = indexOf(triangles[i][0]);
-			    const std::uint32_t v = indexOf(triangles[i][1]);
-			    const std::uint32_t w = indexOf(triangles[i][2]);
-			    part += signedEdgeHash(u, v) + signedEdgeHash(v, w) + signedEdgeHash(w, u);
+			    part += boundaryTerm(indexOf(triangles[i][0]), indexOf(triangles[i][1]),
+			                         indexOf(triangles[i][2]));
 		    }
 		    parts[chunk] = part;
 	    });

@@ -9,6 +9,8 @@
 
 #include "bounding_box.h"
 
+#include <cmath>
+
 namespace index_boolean {
 
 // A sum of doubles that keeps what each addition rounds off.
@@ -60,7 +62,16 @@ struct SurfaceSums {
 };
 
 // Adds the triangle p q r, in the frame's coordinates.
-void addTriangle(const Point& p, const Point& q, const Point& r, SurfaceSums& sums);
+// The edges' cross product comes first: it is small where the triangle is, so its roundings are
+// small compared with the triangle's share of the volume.
+inline void addTriangle(const Point& p, const Point& q, const Point& r, SurfaceSums& sums) {
+	const Point u = {q[0] - p[0], q[1] - p[1], q[2] - p[2]};
+	const Point v = {r[0] - p[0], r[1] - p[1], r[2] - p[2]};
+	const Point n = {u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2],
+	                 u[0] * v[1] - u[1] * v[0]};
+	sums.sixVolumes.add(p[0] * n[0] + p[1] * n[1] + p[2] * n[2]);
+	sums.twoAreas.add(std::sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]));
+}
 
 // The volume that closed triangles enclose, and the area of any; one beyond the range of double
 // becomes infinite or 0.
