@@ -11,14 +11,25 @@
 
 namespace index_boolean {
 
-// Finds the vertices whose faces are not one umbrella: the edges opposite the vertex, one in each
-// of its faces, are not one cycle that visits each vertex once. That is so at both ends of an edge
-// with more than two faces, and where parts of the surface meet at a vertex alone.
+// The vertices [begin, end).
+struct VertexRange {
+	std::uint32_t begin, end;
+};
+
+// Finds the vertices of a range whose faces are not one umbrella: the edges opposite the vertex,
+// one in each of its faces, are not one cycle that visits each vertex once. That is so at both ends
+// of an edge with more than two faces, and where parts of the surface meet at a vertex alone.
 // \param begin, end closed, consistently oriented triangles; no corner twice in one of them
-// \param vertexCount above all corners
 // \param out        appended to, ascending
-// Complexity: O(n), but O(d log d) for a vertex with d faces, d large. 8 bytes a corner.
-void findNonManifoldVertices(const Triangle* begin, const Triangle* end, std::size_t vertexCount,
+// Complexity: O(n), but O(d log d) for a vertex with d faces, d large. 8 bytes a corner in range.
+void findNonManifoldVertices(const Triangle* begin, const Triangle* end, VertexRange range,
                              std::vector<VertexId>& out);
+
+// Whether each vertex of a range that has faces has three or more, in one umbrella that closes. If
+// that is so for all vertices, the surface is closed, consistently oriented and a manifold, and no
+// two faces have the same corners.
+// \param begin, end triangles of any kind; no corner twice in one of them
+// Complexity: as above.
+bool isClosedManifold(const Triangle* begin, const Triangle* end, VertexRange range);
 
 }  // namespace index_boolean

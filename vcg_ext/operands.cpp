@@ -6,7 +6,7 @@
 #include "operands.h"
 
 #include "clean.h"
-#include "coordinate_hash.h"
+#include "corner_weld.h"
 #include "duplicate_faces.h"
 #include "exact_sign.h"
 #include "mesh_checks.h"
@@ -15,8 +15,7 @@
 #include "polygons.h"
 
 #include <algorithm>
-#include <atomic>
-#include <iterator>
+#include <limits>
 
 namespace index_boolean {
 
@@ -46,12 +45,12 @@ Status checkSizes(const MeshArrays& mesh) {
 	return {};
 }
 
-// Whether the output scalar can hold a point. Then it can hold all points between such points.
-bool isFinite(const Point& p, OutputScalar scalar) {
-	return std::all_of(p.begin(), p.end(), [scalar](double c) {
-		return scalar == OutputScalar::Float ? std::isfinite(static_cast<float>(c))
-		                                     : std::isfinite(c);
-	});
+// The largest double that rounds to a finite number of the output scalar. If it can hold the
+// corners of a face, it can hold all points between them.
+double largestCoordinate(OutputScalar scalar) {
+	constexpr double kRoundsToLargestFloat = 0x1.fffffefffffffp127;
+	return scalar == OutputScalar::Float ? kRoundsToLargestFloat
+	                                     : std::numeric_limits<double>::max();
 }
 
 bool cornersExist(const MeshArrays& mesh, std::size_t face) {
@@ -68,9 +67,10 @@ StatusCode cornerDefect(const MeshArrays& mesh, std::size_t face, OutputScalar s
 	if (!cornersExist(mesh, face)) {
 		return StatusCode::IndexOutOfRange;
 	}
+	const double most = largestCoordinate(scalar);
 	const Triangle& t = mesh.triangles[face];
-	const bool finite = std::all_of(
-	    t.begin(), t.end(), [&](VertexId v) { return isFinite(at(mesh.points, v), scalar); });
+	const bool finite = std::all_of(t.begin(), t.end(),
+	                                [&](VertexId v) { return isWithin(at(mesh.points, v), most); });
 	return finite ? StatusCode::Ok : StatusCode::NotFinite;
 }
 
@@ -93,182 +93,52 @@ Status refuseCorners(const Arrangement& arrangement, StatusCode code) {
 	return status;
 }
 
+bool hasEqualCorners(const Triangle& t) { return t[0] == t[1] || t[1] == t[2] || t[2] == t[0]; }
+
+// Whether all faces have corners that exist; whether any has two equal ones.
+struct CornerFacts {
+	bool allExist = true;
+	bool anyEqual = false;
+};
+
+Status lookAtCorners(const Arrangement& arrangement, Monitor& monitor, CornerFacts& out) {
+	const MeshArrays& mesh = arrangement.mesh;
+	std::vector<CornerFacts> parts(chunkCount(mesh.triangles.size(), kGrain));
+	const Status status =
+	    parallelForChunks(mesh.triangles.size(), kGrain, arrangement.options.threads, monitor,
+	                      [&](std::size_t chunk, std::size_t begin, std::size_t end) {
+		                      CornerFacts facts;
+		                      for (std::size_t face = begin; face < end; ++face) {
+			                      facts.allExist &= cornersExist(mesh, face);
+			                      facts.anyEqual |= hasEqualCorners(mesh.triangles[face]);
+		                      }
+		                      parts[chunk] = facts;
+	                      });
+	for (const CornerFacts& part : parts) {
+		out.allExist &= part.allExist;
+		out.anyEqual |= part.anyEqual;
+	}
+	return status;
+}
+
 // Two streams, over points and over triangles, tell that all is well; only a defect in one of them
 // starts the search for faces, since a bad vertex that no face uses does not matter.
-Status checkCorners(const Arrangement& arrangement, Monitor& monitor) {
-	const MeshArrays& mesh = arrangement.mesh;
-	const OutputScalar scalar = arrangement.options.outputScalar;
-	const int threads = arrangement.options.threads;
-	std::atomic<bool> suspicious{false};
-	Status status = parallelFor(mesh.points.size(), kGrain, threads, monitor,
-	                            [&](std::size_t begin, std::size_t end) {
-		                            for (std::size_t p = begin; p < end; ++p) {
-			                            if (!isFinite(mesh.points[p], scalar)) {
-				                            suspicious = true;
-			                            }
-		                            }
-	                            });
+Status checkCorners(const Arrangement& arrangement, Monitor& monitor, CornerWelder& welder,
+                    CornerFacts& facts) {
+	bool inRange = true;
+	Status status = lookAtCorners(arrangement, monitor, facts);
 	if (status.ok()) {
-		status = parallelFor(mesh.triangles.size(), kGrain, threads, monitor,
-		                     [&](std::size_t begin, std::size_t end) {
-			                     for (std::size_t face = begin; face < end; ++face) {
-				                     if (!cornersExist(mesh, face)) {
-					                     suspicious = true;
-				                     }
-			                     }
-		                     });
+		status = welder.findSuspects(largestCoordinate(arrangement.options.outputScalar), inRange);
 	}
-	if (!status.ok() || !suspicious) {
-		return status;
+	if (status.ok() && !facts.allExist) {
+		status = refuseCorners(arrangement, StatusCode::IndexOutOfRange);
 	}
-	status = refuseCorners(arrangement, StatusCode::IndexOutOfRange);
-	return status.ok() ? refuseCorners(arrangement, StatusCode::NotFinite) : status;
+	return status.ok() && !inRange ? refuseCorners(arrangement, StatusCode::NotFinite) : status;
 }
-
-constexpr std::uint32_t kEmpty = 0xffffffffu;
-
-// The vertices of one operand by their coordinates: open addressing with linear probing, at most
-// half full, so that a look-up costs one or two cache lines.
-class VertexTable {
-public:
-	VertexTable() = default;
-
-	// Fills the table with the first vertex at each place, and canonical with it for each vertex.
-	// Returns whether two vertices are in one place.
-	bool fill(const MeshArrays& mesh, std::size_t operand, std::vector<VertexId>& canonical) {
-		points_ = mesh.points.data();
-		const std::uint32_t begin = mesh.vertexBegin[operand];
-		const std::uint32_t end = mesh.vertexBegin[operand + 1];
-		std::size_t size = 16;
-		while (size < 2 * static_cast<std::size_t>(end - begin)) {
-			size *= 2;
-		}
-		slots_.assign(size, kEmpty);
-		bool any = false;
-		for (std::uint32_t v = begin; v < end; ++v) {
-			canonical[v] = {v};
-			// No face has a corner that is not finite; many such would probe past each other.
-			if (!isFinite(points_[v], OutputScalar::Double)) {
-				continue;
-			}
-			std::uint32_t& slot = slots_[find(points_[v])];
-			slot = slot == kEmpty ? v : slot;
-			canonical[v] = {slot};
-			any = any || slot != v;
-		}
-		return any;
-	}
-
-	// The vertex at a place, or kEmpty.
-	std::uint32_t vertexAt(const Point& p) const { return slots_[find(p)]; }
-
-private:
-	std::size_t find(const Point& p) const {
-		std::size_t slot = coordinateHash(p) & (slots_.size() - 1);
-		while (slots_[slot] != kEmpty && points_[slots_[slot]] != p) {
-			slot = (slot + 1) & (slots_.size() - 1);
-		}
-		return slot;
-	}
-
-	const Point* points_ = nullptr;
-	std::vector<std::uint32_t> slots_;
-};
-
-// Welds vertices by their coordinates: first those of each operand; once it is known which of them
-// faces still use, those of the second to those of the first.
-class CornerWelder {
-public:
-	CornerWelder(MeshArrays& mesh, int threads, Monitor& monitor)
-	    : mesh_(mesh), threads_(threads), monitor_(monitor) {}
-
-	Status weldWithinOperands();
-	Status weldSecondToFirst();
-
-private:
-	Status replaceCorners(std::size_t firstFace);
-	std::vector<bool> usedByFirst() const;
-
-	MeshArrays& mesh_;
-	int threads_;
-	Monitor& monitor_;
-	std::array<VertexTable, 2> tables_;
-	std::vector<VertexId> canonical_;  // per vertex: what it is replaced by
-};
-
-// Replaces each corner of the faces from firstFace on.
-Status CornerWelder::replaceCorners(std::size_t firstFace) {
-	return parallelFor(mesh_.triangles.size() - firstFace, kGrain, threads_, monitor_,
-	                   [&](std::size_t begin, std::size_t end) {
-		                   for (std::size_t f = firstFace + begin; f < firstFace + end; ++f) {
-			                   for (VertexId& v : mesh_.triangles[f]) {
-				                   v = at(canonical_, v);
-			                   }
-		                   }
-	                   });
-}
-
-// Replaces each corner by the first vertex of its operand with the same coordinates.
-Status CornerWelder::weldWithinOperands() {
-	canonical_.resize(mesh_.points.size());
-	std::array<bool, 2> any{};
-	const int halves = threadsForHalves(mesh_.points.size(), threads_);
-	const Status status =
-	    parallelFor(2, 1, halves, monitor_, [&](std::size_t begin, std::size_t end) {
-		    for (std::size_t operand = begin; operand < end; ++operand) {
-			    any[operand] = tables_[operand].fill(mesh_, operand, canonical_);
-		    }
-	    });
-	return status.ok() && (any[0] || any[1]) ? replaceCorners(0) : status;
-}
-
-// Per vertex of the first operand: a face of it has a corner there.
-std::vector<bool> CornerWelder::usedByFirst() const {
-	std::vector<bool> used(mesh_.vertexBegin[1], false);
-	for (std::size_t face = 0; face < mesh_.faceBegin[1]; ++face) {
-		for (const VertexId v : mesh_.triangles[face]) {
-			used[v.value] = true;
-		}
-	}
-	return used;
-}
-
-// Where vertices of both operands coincide, they are one vertex from here on. A vertex that no face
-// of the first operand uses (any more) is none of its vertices.
-Status CornerWelder::weldSecondToFirst() {
-	const std::size_t second = mesh_.vertexBegin[1];
-	std::atomic<bool> anyShared{false};
-	const Status status =
-	    parallelFor(mesh_.points.size() - second, kGrain, threads_, monitor_,
-	                [&](std::size_t begin, std::size_t end) {
-		                for (std::size_t v = second + begin; v < second + end; ++v) {
-			                const std::uint32_t twin = tables_[0].vertexAt(mesh_.points[v]);
-			                canonical_[v] = {twin == kEmpty ? static_cast<std::uint32_t>(v) : twin};
-			                if (twin != kEmpty) {
-				                anyShared = true;
-			                }
-		                }
-	                });
-	if (!status.ok() || !anyShared) {
-		return status;
-	}
-	const std::vector<bool> used = usedByFirst();
-	for (std::size_t v = second; v < canonical_.size(); ++v) {
-		if (canonical_[v].value < second && !used[canonical_[v].value]) {
-			canonical_[v] = {static_cast<std::uint32_t>(v)};
-		}
-	}
-	return replaceCorners(mesh_.faceBegin[1]);
-}
-
-bool hasEqualCorners(const Triangle& t) { return t[0] == t[1] || t[1] == t[2] || t[2] == t[0]; }
 
 // Faces with two equal corners go: their edges cancel, so closedness stays as it is.
 Status dropCollapsedFaces(Arrangement& arrangement) {
 	MeshArrays& mesh = arrangement.mesh;
-	if (std::none_of(mesh.triangles.begin(), mesh.triangles.end(), hasEqualCorners)) {
-		return {};
-	}
 	std::size_t kept = 0;
 	std::vector<std::uint32_t> given;
 	for (std::size_t operand = 0; operand < 2; ++operand) {
@@ -389,10 +259,12 @@ Status cleanOperand(Arrangement& arrangement, std::size_t operand, Monitor& moni
 	return {};
 }
 
-Status cleanZeroAreaFaces(Arrangement& arrangement, Monitor& monitor) {
+// \param cleaned whether there were any
+Status cleanZeroAreaFaces(Arrangement& arrangement, Monitor& monitor, bool& cleaned) {
 	std::vector<std::uint32_t> found;
 	Status status =
 	    findZeroAreaFaces(arrangement.mesh, arrangement.options.threads, monitor, found);
+	cleaned = !found.empty();
 	const std::uint32_t second = arrangement.mesh.faceBegin[1];
 	const bool inSecond = !found.empty() && found.back() >= second;
 	const bool inFirst = !found.empty() && found.front() < second;
@@ -447,6 +319,25 @@ struct VolumeSum {
 	double bound = 0;
 };
 
+// Six times the volume of the tetrahedron between a face and a point, and a bound on its error: as
+// orient3dBounded, but from the face's normal, whose parts are small where the face is. Eight
+// rounded operations lie on each path, so the error is below 9u times `size`.
+VolumeSum sixVolumes(const Point& a, const Point& b, const Point& c, const Point& reference) {
+	VolumeSum result;
+	double size = 0, room = 1;
+	for (std::size_t i = 0; i < 3; ++i) {
+		const std::size_t j = i == 2 ? 0 : i + 1, k = i == 0 ? 2 : i - 1;
+		const double left = (b[j] - a[j]) * (c[k] - a[k]);
+		const double right = (b[k] - a[k]) * (c[j] - a[j]);
+		const double height = a[i] - reference[i];
+		result.value += (left - right) * height;
+		size += (std::fabs(left) + std::fabs(right)) * std::fabs(height);
+		room += std::fabs(height);
+	}
+	result.bound = 10 * kRoundoff * size + kUnderflow * room;
+	return result;
+}
+
 // Six times the signed volume of one operand and a bound on its error, in fixed chunks.
 Status sumVolume(const Arrangement& arrangement, std::size_t operand, Monitor& monitor,
                  VolumeSum& out) {
@@ -461,10 +352,10 @@ Status sumVolume(const Arrangement& arrangement, std::size_t operand, Monitor& m
 		                      VolumeSum sum;
 		                      for (std::size_t face = first + begin; face < first + end; ++face) {
 			                      const Triangle& t = mesh.triangles[face];
-			                      const Bounded term =
-			                          orient3dBounded(at(mesh.points, t[0]), at(mesh.points, t[1]),
-			                                          at(mesh.points, t[2]), reference);
-			                      sum.value -= term.value;
+			                      const VolumeSum term =
+			                          sixVolumes(at(mesh.points, t[0]), at(mesh.points, t[1]),
+			                                     at(mesh.points, t[2]), reference);
+			                      sum.value += term.value;
 			                      // Each of the partial sums is rounded once more.
 			                      sum.bound += term.bound + 2 * kRoundoff * std::fabs(sum.value);
 		                      }
@@ -526,54 +417,119 @@ Status turnRightSideOut(Arrangement& arrangement, Monitor& monitor) {
 	return status;
 }
 
-Status findNonManifold(Arrangement& arrangement, Monitor& monitor) {
+// A part of an operand's vertices.
+struct VertexTask {
+	std::size_t operand;
+	VertexRange vertices;
+};
+
+// Tasks for all vertices of both operands: each looks at all faces of its operand, so that few are
+// best, of about the same size. Once welded, the second operand has vertices of the first.
+std::vector<VertexTask> divideVertices(const MeshArrays& mesh) {
+	std::vector<VertexTask> tasks;
+	for (std::size_t operand = 0; operand < 2; ++operand) {
+		const std::uint32_t end = mesh.vertexBegin[operand + 1];
+		const std::size_t faces = mesh.faceBegin[operand + 1] - mesh.faceBegin[operand];
+		const bool isLarge = faces > kGrain && faces > mesh.triangles.size() / 3 * 2;
+		const std::uint32_t middle =
+		    isLarge ? mesh.vertexBegin[operand] + (end - mesh.vertexBegin[operand]) / 2 : 0;
+		if (isLarge) {
+			tasks.push_back({operand, {0, middle}});
+		}
+		tasks.push_back({operand, {middle, end}});
+	}
+	return tasks;
+}
+
+// Calls body(task, begin, end) for each task with the faces of its operand.
+template <class Body>
+Status forEachTask(const Arrangement& arrangement, const std::vector<VertexTask>& tasks,
+                   Monitor& monitor, Body&& body) {
 	const MeshArrays& mesh = arrangement.mesh;
-	std::array<std::vector<VertexId>, 2> found;
-	const int halves = threadsForHalves(mesh.triangles.size(), arrangement.options.threads);
-	const Status status =
-	    parallelFor(2, 1, halves, monitor, [&](std::size_t begin, std::size_t end) {
-		    for (std::size_t operand = begin; operand < end; ++operand) {
-			    const Triangle* triangles = mesh.triangles.data();
-			    findNonManifoldVertices(triangles + mesh.faceBegin[operand],
-			                            triangles + mesh.faceBegin[operand + 1], mesh.points.size(),
-			                            found[operand]);
-		    }
+	const int threads = threadsForHalves(mesh.triangles.size(), arrangement.options.threads);
+	return parallelForChunks(
+	    tasks.size(), 1, threads, monitor, [&](std::size_t task, std::size_t, std::size_t) {
+		    const Triangle* all = mesh.triangles.data();
+		    const std::size_t operand = tasks[task].operand;
+		    body(task, all + mesh.faceBegin[operand], all + mesh.faceBegin[operand + 1]);
 	    });
-	std::set_union(found[0].begin(), found[0].end(), found[1].begin(), found[1].end(),
-	               std::back_inserter(arrangement.nonManifold));
+}
+
+// Finds which operands are closed manifolds: nearly all are, and need no other check.
+Status findClosedManifolds(const Arrangement& arrangement, Monitor& monitor,
+                           std::array<bool, 2>& out) {
+	const std::vector<VertexTask> tasks = divideVertices(arrangement.mesh);
+	std::vector<std::uint8_t> manifold(tasks.size(), 0);
+	const Status status =
+	    forEachTask(arrangement, tasks, monitor,
+	                [&](std::size_t task, const Triangle* begin, const Triangle* end) {
+		                manifold[task] = isClosedManifold(begin, end, tasks[task].vertices) ? 1 : 0;
+	                });
+	out = {true, true};
+	for (std::size_t task = 0; task < tasks.size(); ++task) {
+		out[tasks[task].operand] &= manifold[task] != 0;
+	}
+	return status;
+}
+
+Status findNonManifold(Arrangement& arrangement, Monitor& monitor) {
+	const std::vector<VertexTask> tasks = divideVertices(arrangement.mesh);
+	std::vector<std::vector<VertexId>> found(tasks.size());
+	const Status status =
+	    forEachTask(arrangement, tasks, monitor,
+	                [&](std::size_t task, const Triangle* begin, const Triangle* end) {
+		                findNonManifoldVertices(begin, end, tasks[task].vertices, found[task]);
+	                });
+	std::vector<VertexId>& all = arrangement.nonManifold;
+	for (const std::vector<VertexId>& part : found) {
+		all.insert(all.end(), part.begin(), part.end());
+	}
+	std::sort(all.begin(), all.end());
+	all.erase(std::unique(all.begin(), all.end()), all.end());
 	return status;
 }
 
 // Checks the arrays, welds each operand's vertices and drops faces with two equal corners.
 Status weldOperands(Arrangement& arrangement, Monitor& monitor, CornerWelder& welder) {
+	CornerFacts facts;
+	bool welded = false;
 	Status status = checkSizes(arrangement.mesh);
 	if (status.ok()) {
-		status = checkCorners(arrangement, monitor);
+		status = checkCorners(arrangement, monitor, welder, facts);
 	}
 	if (status.ok()) {
-		status = welder.weldWithinOperands();
+		status = welder.weldWithinOperands(welded);
 	}
-	return status.ok() ? dropCollapsedFaces(arrangement) : status;
+	if (status.ok() && welded) {
+		status = lookAtCorners(arrangement, monitor, facts);
+	}
+	return status.ok() && facts.anyEqual ? dropCollapsedFaces(arrangement) : status;
 }
 
 }  // namespace
 
 Status prepareOperands(Arrangement& arrangement, Monitor& monitor) {
 	CornerWelder welder(arrangement.mesh, arrangement.options.threads, monitor);
+	std::array<bool, 2>& manifold = arrangement.closed;
 	Status status = weldOperands(arrangement, monitor, welder);
 	if (status.ok()) {
+		status = findClosedManifolds(arrangement, monitor, manifold);
+	}
+	const bool bothManifold = manifold[0] && manifold[1];
+	if (status.ok() && !bothManifold) {
 		status = removeDuplicateFaces(arrangement, monitor);
 	}
-	if (status.ok()) {
+	if (status.ok() && !bothManifold) {
 		status = checkClosed(arrangement, monitor);
 	}
+	bool cleaned = false;
 	if (status.ok()) {
-		status = cleanZeroAreaFaces(arrangement, monitor);
+		status = cleanZeroAreaFaces(arrangement, monitor, cleaned);
 	}
 	if (status.ok()) {
 		status = welder.weldSecondToFirst();
 	}
-	if (status.ok()) {
+	if (status.ok() && (!bothManifold || cleaned)) {
 		status = findNonManifold(arrangement, monitor);
 	}
 	if (status.ok()) {
@@ -588,8 +544,9 @@ Status prepareOperands(Arrangement& arrangement, Monitor& monitor) {
 Status prepareSurfaces(Arrangement& arrangement, Monitor& monitor) {
 	CornerWelder welder(arrangement.mesh, arrangement.options.threads, monitor);
 	Status status = weldOperands(arrangement, monitor, welder);
+	bool cleaned = false;
 	if (status.ok()) {
-		status = cleanZeroAreaFaces(arrangement, monitor);
+		status = cleanZeroAreaFaces(arrangement, monitor, cleaned);
 	}
 	if (status.ok()) {
 		status = takeDuplicateFacesOnce(arrangement, monitor);

@@ -152,8 +152,9 @@ TEST(NonManifold, findsEdgesWithFourFacesAndCornersThatTouch) {
 			triangles.push_back({VertexId{t[0]}, VertexId{t[1]}, VertexId{t[2]}});
 		}
 		std::vector<VertexId> out;
-		findNonManifoldVertices(triangles.data(), triangles.data() + triangles.size(),
-		                        m.points.size(), out);
+		const auto count = static_cast<std::uint32_t>(m.points.size());
+		findNonManifoldVertices(triangles.data(), triangles.data() + triangles.size(), {0, count},
+		                        out);
 		return out;
 	};
 	EXPECT_TRUE(nonManifold(torus(9, 7, 2, 1)).empty());

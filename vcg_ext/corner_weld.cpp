@@ -1,0 +1,258 @@
+// SPDX-FileCopyrightText: 2026 The Index Boolean authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Most vertices are alone in their place. Two passes over the points, by a table of bits that the
+// processor's caches hold, rule out nearly all of these; the others are compared exactly.
+#include "corner_weld.h"
+
+#include "coordinate_hash.h"
+#include "huge_pages.h"
+#include "parallel.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cstring>
+#include <limits>
+
+namespace index_boolean {
+
+namespace {
+
+constexpr std::size_t kGrain = 1 << 15;
+constexpr std::uint32_t kEmpty = 0xffffffffu;
+constexpr double kMax = std::numeric_limits<double>::max();
+
+// Where a vertex sets its bits.
+struct PlaceBits {
+	std::size_t word;
+	std::uint64_t mask;
+};
+
+// The places of one operand's vertices: each sets two bits of a word. Threads add at the same time.
+class PlaceSieve {
+public:
+	// A word for four to eight vertices.
+	explicit PlaceSieve(std::size_t vertexCount) {
+		while (vertexCount >> shift_ > 8)
+			++shift_;
+		once_ = std::vector<Word>(std::size_t{1} << shift_);
+		twice_ = std::vector<Word>(std::size_t{1} << shift_);
+	}
+
+	// From the upper half of a sum of products, since coordinates may end in many zeros; the same
+	// for 0 and -0.
+	PlaceBits bitsOf(const Point& p) const {
+		constexpr std::array<std::uint64_t, 3> kFactors{0x9e3779b97f4a7c15U, 0xd6e8feb86659fd93U,
+		                                                0xa0761d6478bd642fU};
+		std::uint64_t hash = 0;
+		for (std::size_t axis = 0; axis < 3; ++axis) {
+			const double unsignedZero = p[axis] + 0.0;
+			std::uint64_t bits;
+			std::memcpy(&bits, &unsignedZero, sizeof bits);
+			hash += (bits ^ bits >> 32) * kFactors[axis];
+		}
+		constexpr std::uint64_t kOne = 1;
+		return {static_cast<std::size_t>(hash >> 12 >> (52 - shift_)),
+		        kOne << (hash >> 26 & 63) | kOne << (hash >> 20 & 63)};
+	}
+
+	// Whether a vertex may have been added there; whether two may have been.
+	bool has(PlaceBits bits) const { return has(once_, bits); }
+	bool hasTwo(PlaceBits bits) const { return has(twice_, bits); }
+
+	// Lets the processor fetch what add() needs.
+	void prefetch([[maybe_unused]] PlaceBits bits) const {
+#ifdef __GNUC__
+		__builtin_prefetch(&once_[bits.word], 1);
+#endif
+	}
+
+	// Of two vertices that are added with the same bits, at the same time or not, one finds them.
+	void add(PlaceBits bits) {
+		if (set(once_[bits.word], bits.mask))
+			set(twice_[bits.word], bits.mask);
+	}
+
+private:
+	using Word = std::atomic<std::uint64_t>;
+
+	static bool has(const std::vector<Word>& words, PlaceBits bits) {
+		return (words[bits.word].load(std::memory_order_relaxed) & bits.mask) == bits.mask;
+	}
+
+	// \return whether the bits had been set before
+	static bool set(Word& word, std::uint64_t mask) {
+		std::uint64_t before = word.load(std::memory_order_relaxed);
+		if ((before & mask) != mask)
+			before = word.fetch_or(mask, std::memory_order_relaxed);
+		return (before & mask) == mask;
+	}
+
+	unsigned shift_ = 4;
+	std::vector<Word> once_, twice_;
+};
+
+// Vertices by their coordinates: open addressing with linear probing, at most half full.
+class VertexTable {
+public:
+	VertexTable(const std::vector<Point>& points, std::size_t most) : points_(points) {
+		std::size_t size = 16;
+		while (size < 2 * most)
+			size *= 2;
+		assignHuge(slots_, size, kEmpty);
+	}
+
+	// The vertex at this one's place; if there is none yet, this one, which is put there.
+	std::uint32_t findOrAdd(std::uint32_t vertex) {
+		std::uint32_t& slot = slots_[slotOf(points_[vertex])];
+		if (slot == kEmpty)
+			slot = vertex;
+		return slot;
+	}
+
+	// The vertex at a place, or kEmpty.
+	std::uint32_t vertexAt(const Point& p) const { return slots_[slotOf(p)]; }
+
+private:
+	std::size_t slotOf(const Point& p) const {
+		std::size_t slot = coordinateHash(p) & (slots_.size() - 1);
+		while (slots_[slot] != kEmpty && points_[slots_[slot]] != p)
+			slot = (slot + 1) & (slots_.size() - 1);
+		return slot;
+	}
+
+	const std::vector<Point>& points_;
+	std::vector<std::uint32_t> slots_;
+};
+
+// Calls body(operand, begin, end) for chunks of both operands' vertices.
+template <class Body>
+Status forEachVertexRange(const MeshArrays& mesh, int threads, Monitor& monitor, Body&& body) {
+	const std::size_t second = mesh.vertexBegin[1];
+	return parallelFor(mesh.points.size(), kGrain, threads, monitor,
+	                   [&](std::size_t begin, std::size_t end) {
+		                   body(std::size_t{0}, begin, std::min(end, second));
+		                   body(std::size_t{1}, std::max(begin, second), end);
+	                   });
+}
+
+// Adds the vertices [begin, end). \return whether all their coordinates are at most `most`
+bool addPlaces(const std::vector<Point>& points, std::size_t begin, std::size_t end, double most,
+               PlaceSieve& sieve) {
+	// The memory of some vertices' words is asked for before the first of them is waited for.
+	constexpr std::size_t kAhead = 16;
+	std::array<PlaceBits, kAhead> bits{};
+	bool within = true;
+	for (std::size_t first = begin; first < end; first += kAhead) {
+		const std::size_t count = std::min(kAhead, end - first);
+		for (std::size_t i = 0; i < count; ++i) {
+			within &= isWithin(points[first + i], most);
+			bits[i] = sieve.bitsOf(points[first + i]);
+			sieve.prefetch(bits[i]);
+		}
+		for (std::size_t i = 0; i < count; ++i)
+			sieve.add(bits[i]);
+	}
+	return within;
+}
+
+}  // namespace
+
+Status CornerWelder::findSuspects(double most, bool& inRange) {
+	const std::vector<Point>& points = mesh_.points;
+	std::array<PlaceSieve, 2> sieves{PlaceSieve(mesh_.vertexBegin[1]),
+	                                 PlaceSieve(points.size() - mesh_.vertexBegin[1])};
+	std::atomic<bool> allInRange{true};
+	Status status = forEachVertexRange(
+	    mesh_, threads_, monitor_, [&](std::size_t operand, std::size_t begin, std::size_t end) {
+		    if (!addPlaces(points, begin, end, most, sieves[operand]))
+			    allInRange = false;
+	    });
+	inRange = allInRange;
+	std::vector<std::vector<std::uint32_t>> found(2 * chunkCount(points.size(), kGrain));
+	const auto find = [&](std::size_t operand, std::size_t begin, std::size_t end) {
+		const PlaceSieve &own = sieves[operand], &other = sieves[1 - operand];
+		for (std::size_t v = begin; v < end; ++v) {
+			if ((own.hasTwo(own.bitsOf(points[v])) || other.has(other.bitsOf(points[v]))) &&
+			    isWithin(points[v], kMax))
+				found[2 * (v / kGrain) + operand].push_back(static_cast<std::uint32_t>(v));
+		}
+	};
+	if (status.ok())
+		status = forEachVertexRange(mesh_, threads_, monitor_, find);
+	for (std::size_t i = 0; i < found.size(); ++i)
+		suspects_[i % 2].insert(suspects_[i % 2].end(), found[i].begin(), found[i].end());
+	return status;
+}
+
+// Replaces each corner of the faces from firstFace on.
+Status CornerWelder::replaceCorners(const std::vector<Move>& moves, std::size_t firstFace) {
+	if (moves.empty())
+		return {};
+	const auto canonical = makeHuge<VertexId>(mesh_.points.size());
+	Status status = parallelFor(mesh_.points.size(), kGrain, threads_, monitor_,
+	                            [&canonical](std::size_t begin, std::size_t end) {
+		                            for (std::size_t v = begin; v < end; ++v)
+			                            canonical[v] = makeId<VertexTag>(v);
+	                            });
+	for (const Move& move : moves)
+		canonical[move.vertex] = {move.to};
+	if (!status.ok())
+		return status;
+	return parallelFor(mesh_.triangles.size() - firstFace, kGrain, threads_, monitor_,
+	                   [&](std::size_t begin, std::size_t end) {
+		                   for (std::size_t f = firstFace + begin; f < firstFace + end; ++f) {
+			                   for (VertexId& v : mesh_.triangles[f])
+				                   v = at(canonical, v);
+		                   }
+	                   });
+}
+
+Status CornerWelder::weldWithinOperands(bool& welded) {
+	std::array<std::vector<Move>, 2> moves;
+	const int halves = threadsForHalves(suspects_[0].size() + suspects_[1].size(), threads_);
+	const Status status =
+	    parallelFor(2, 1, halves, monitor_, [&](std::size_t begin, std::size_t end) {
+		    for (std::size_t operand = begin; operand < end; ++operand) {
+			    VertexTable table(mesh_.points, suspects_[operand].size());
+			    for (const std::uint32_t v : suspects_[operand]) {
+				    const std::uint32_t first = table.findOrAdd(v);
+				    if (first != v)
+					    moves[operand].push_back({v, first});
+			    }
+		    }
+	    });
+	moves[0].insert(moves[0].end(), moves[1].begin(), moves[1].end());
+	welded = !moves[0].empty();
+	return status.ok() ? replaceCorners(moves[0], 0) : status;
+}
+
+// Per vertex of the first operand: a face of it has a corner there.
+std::vector<bool> CornerWelder::usedByFirst() const {
+	std::vector<bool> used(mesh_.vertexBegin[1], false);
+	for (std::size_t face = 0; face < mesh_.faceBegin[1]; ++face) {
+		for (const VertexId v : mesh_.triangles[face])
+			used[v.value] = true;
+	}
+	return used;
+}
+
+Status CornerWelder::weldSecondToFirst() {
+	VertexTable first(mesh_.points, suspects_[0].size());
+	for (const std::uint32_t v : suspects_[0])
+		first.findOrAdd(v);
+	std::vector<Move> moves;
+	for (const std::uint32_t v : suspects_[1]) {
+		const std::uint32_t twin = first.vertexAt(mesh_.points[v]);
+		if (twin != kEmpty)
+			moves.push_back({v, twin});
+	}
+	if (moves.empty())
+		return {};
+	const std::vector<bool> used = usedByFirst();
+	const auto isUnused = [&used](const Move& move) { return !used[move.to]; };
+	moves.erase(std::remove_if(moves.begin(), moves.end(), isUnused), moves.end());
+	return replaceCorners(moves, mesh_.faceBegin[1]);
+}
+
+}  // namespace index_boolean
