@@ -8,6 +8,7 @@
 // deleted elements are left out; what is written does not depend on the number of threads.
 #pragma once
 
+#include "huge_pages.h"
 #include "mesh_arrays.h"
 #include "mesh_checks.h"
 #include "parallel.h"
@@ -16,10 +17,6 @@
 
 #ifdef _OPENMP
 #include <omp.h>
-#endif
-#ifdef __linux__
-#include <sys/mman.h>
-#include <unistd.h>
 #endif
 
 #include <algorithm>
@@ -109,6 +106,8 @@ inline void growArrays(std::size_t vertexCount, std::size_t faceCount, int opera
 	const auto first = static_cast<std::size_t>(operand);
 	out.vertexBegin[first] = static_cast<std::uint32_t>(out.points.size());
 	out.faceBegin[first] = static_cast<std::uint32_t>(out.triangles.size());
+	reserveHuge(out.points, out.points.size() + vertexCount);
+	reserveHuge(out.triangles, out.triangles.size() + faceCount);
 	out.points.resize(out.points.size() + vertexCount);
 	out.triangles.resize(out.triangles.size() + faceCount);
 	if (!out.faux.empty())
@@ -249,28 +248,12 @@ typename TriMesh::CoordType toCoordinate(const Point& p) {
 	                                   static_cast<Scalar>(p[2]));
 }
 
-// Asks the system for huge pages in memory that has not been touched yet: a large layer is written
-// in half the time. Where there are none, nothing happens.
-inline void adviseHugePages([[maybe_unused]] void* memory, [[maybe_unused]] std::size_t bytes) {
-#ifdef MADV_HUGEPAGE
-	const auto page = static_cast<std::uintptr_t>(sysconf(_SC_PAGESIZE));
-	const std::uintptr_t begin =
-	    (reinterpret_cast<std::uintptr_t>(memory) + page - 1) / page * page;
-	const std::uintptr_t end = (reinterpret_cast<std::uintptr_t>(memory) + bytes) / page * page;
-	constexpr std::size_t kHugePage = std::size_t{1} << 21;
-	if (bytes >= 2 * kHugePage)
-		madvise(reinterpret_cast<void*>(begin), end - begin, MADV_HUGEPAGE);
-#endif
-}
-
 // Makes room in an empty mesh for a surface that fillSurface then writes.
 // Throws std::bad_alloc. Several meshes may be allocated at the same time.
 template <class TriMesh>
 void allocateSurface(std::size_t vertexCount, std::size_t faceCount, TriMesh& out) {
-	out.vert.reserve(vertexCount);
-	out.face.reserve(faceCount);
-	adviseHugePages(out.vert.data(), vertexCount * sizeof(typename TriMesh::VertexType));
-	adviseHugePages(out.face.data(), faceCount * sizeof(typename TriMesh::FaceType));
+	reserveHuge(out.vert, vertexCount);
+	reserveHuge(out.face, faceCount);
 	vcg::tri::Allocator<TriMesh>::AddVertices(out, vertexCount);
 	vcg::tri::Allocator<TriMesh>::AddFaces(out, faceCount);
 }

@@ -145,6 +145,40 @@ TEST(ManifoldCopies, nonManifoldOperandsGiveManifoldBlocksAwayFromTheCurveToo) {
 	EXPECT_EQ(r.audit.blocks[2].components, 2u);
 }
 
+TEST(NonManifold, aClosedManifoldIsToldFromAnyOtherSurface) {
+	const auto isManifold = [](const std::vector<std::array<std::uint32_t, 3>>& faces) {
+		std::vector<Triangle> triangles;
+		std::uint32_t end = 0;
+		for (const auto& t : faces) {
+			triangles.push_back({VertexId{t[0]}, VertexId{t[1]}, VertexId{t[2]}});
+			end = std::max({end, t[0] + 1, t[1] + 1, t[2] + 1});
+		}
+		const Triangle* first = triangles.data();
+		const Triangle* last = first + triangles.size();
+		// In parts it is told as in one.
+		const bool all = isClosedManifold(first, last, {0, end});
+		EXPECT_EQ(all, isClosedManifold(first, last, {0, end / 2}) &&
+		                   isClosedManifold(first, last, {end / 2, end}));
+		return all;
+	};
+	EXPECT_TRUE(isManifold(torus(9, 7, 2, 1).triangles));
+	EXPECT_TRUE(isManifold(sphere(40, {0, 0, 0}, 1).triangles));  // poles with 80 faces
+	const std::vector<std::array<std::uint32_t, 3>> tetrahedron{
+	    {0, 1, 2}, {0, 2, 3}, {0, 3, 1}, {1, 3, 2}};
+	EXPECT_TRUE(isManifold(tetrahedron));
+	auto faces = tetrahedron;
+	faces.pop_back();
+	EXPECT_FALSE(isManifold(faces));  // open
+	faces.push_back({1, 2, 3});
+	EXPECT_FALSE(isManifold(faces));  // one face the wrong way round
+	faces = tetrahedron;
+	faces.insert(faces.end(), tetrahedron.begin(), tetrahedron.end());
+	EXPECT_FALSE(isManifold(faces));                   // all of them twice
+	EXPECT_FALSE(isManifold({{0, 1, 2}, {0, 2, 1}}));  // a face and its opposite
+	const std::uint32_t far = 1024;                    // as far as two edges of one table's place
+	EXPECT_TRUE(isManifold({{0, 1, 1 + far}, {0, 1 + far, 3}, {0, 3, 1}, {1, 3, 1 + far}}));
+}
+
 TEST(NonManifold, findsEdgesWithFourFacesAndCornersThatTouch) {
 	const auto nonManifold = [](const Mesh& m) {
 		std::vector<Triangle> triangles;
