@@ -2,24 +2,26 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """python -m indexboolean: the filters on mesh files.
 
-Exit status: 0 done, 1 refused or unreadable input, 2 usage, 130 interrupted.
+Exit status: 0 done, 1 refused or unreadable input, 2 usage, 3 some jobs of a batch failed, 130
+interrupted.
 """
 
 import argparse
 import contextlib
 import os
 import pathlib
+import re
 import sys
 
-from rich import box
 from rich.console import Console
 from rich.progress import BarColumn, Progress, TaskProgressColumn, TextColumn, TimeElapsedColumn
-from rich.table import Column, Table
 
+from .batch_command import run_batch_command
 from .boolean_job import BLOCKS, DEFAULT_BLOCKS, FORMATS, run_boolean_job
 from .curves_job import LOOP_KINDS, run_curves_job
 from .job import Job, JobError
 from .plugin import HostError
+from .printed_table import new_table
 from .split_job import PIECES, run_split_job
 
 
@@ -41,18 +43,24 @@ def _parser():
     _add_boolean(commands)
     _add_split(commands)
     _add_curves(commands)
+    _add_batch(commands)
     return parser
 
 
-def _add_command(commands, name, run, text, description):
+def _add_pair_command(commands, name, run, text, description):
     """A command on two mesh files, with the options that all commands have."""
-    command = commands.add_parser(
-        name, help=text,
-        description=f"{description} Any format that MeshLab reads. OMP_NUM_THREADS limits the "
-        "threads. Exit status: 0 done, 1 refused or unreadable input, 2 usage, 130 interrupted.",
+    command = _add_command(
+        commands, name, run, text,
+        f"{description} Any format that MeshLab reads. OMP_NUM_THREADS limits the threads. Exit "
+        "status: 0 done, 1 refused or unreadable input, 2 usage, 130 interrupted.",
     )
     command.add_argument("first", type=pathlib.Path, metavar="A", help="a mesh file")
     command.add_argument("second", type=pathlib.Path, metavar="B", help="another mesh file")
+    return command
+
+
+def _add_command(commands, name, run, text, description):
+    command = commands.add_parser(name, help=text, description=description)
     command.add_argument(
         "-o", dest="folder", type=pathlib.Path, metavar="DIR", required=True,
         help="where the files go; made if it is not there",
@@ -73,12 +81,16 @@ def _add_filter_option(command, name, *flags, **details):
 
 
 def _add_boolean(commands):
-    command = _add_command(
+    command = _add_pair_command(
         commands, "boolean", _run_boolean,
         "union, intersection and differences of two closed meshes",
         "Intersects two closed meshes once and writes the blocks asked for, and result.json with "
         "their volumes, areas, face counts and components.",
     )
+    _add_boolean_options(command)
+
+
+def _add_boolean_options(command):
     command.add_argument(
         "--only", type=_block_names, default=DEFAULT_BLOCKS, metavar="BLOCK,...",
         help=f"of {', '.join(BLOCKS)} (default: all but the last)",
@@ -103,7 +115,7 @@ def _add_boolean(commands):
 
 
 def _add_split(commands):
-    command = _add_command(
+    command = _add_pair_command(
         commands, "split", _run_split,
         "every piece that two meshes, open or closed, cut each other into",
         "Intersects two meshes, open or closed, and writes the sub-surfaces of each and the closed "
@@ -126,12 +138,67 @@ def _add_split(commands):
 
 
 def _add_curves(commands):
-    _add_command(
+    _add_pair_command(
         commands, "curves", _run_curves,
         "the lines in which two meshes meet, as polylines",
         "Intersects two meshes, open or closed, and writes curves.obj, a file of vertices and "
         "edges, and result.json with the kind, the length and the sub-surfaces of each loop.",
     )
+
+
+def _add_batch(commands):
+    command = _add_command(
+        commands, "batch", run_batch_command,
+        "the command boolean on every pair of a table, on many processes or a cluster",
+        "Does what the command boolean does for each row of a CSV table, in DIR/<name>/, and "
+        "writes DIR/results.csv, a row a job. A job that is refused, crashes or takes too long is "
+        "reported, and the others go on. The same command again does what is not done, and what "
+        "has changed. Exit status: 0 all done, 1 the table is unreadable or the cluster is not "
+        "there, 2 usage, 3 some jobs failed, 130 interrupted.",
+    )
+    command.add_argument(
+        "table", type=pathlib.Path, metavar="JOBS.csv",
+        help="columns first, second (mesh files, relative to the table) and, where wanted, name, "
+        "first_transform, second_transform (12 or 16 numbers, row by row), blocks",
+    )
+    _add_boolean_options(command)
+    command.add_argument(
+        "--workers", type=_count, metavar="N", help="processes on this machine (default: a core "
+        "each, which then have one thread each unless OMP_NUM_THREADS says otherwise)",
+    )
+    command.add_argument(
+        "--timeout", type=_seconds, metavar="SECONDS", help="give up on a job after this time",
+    )
+    command.add_argument(
+        "--memory", type=_bytes, metavar="SIZE",
+        help="the address space that a process may have, as 4G or 800M",
+    )
+    command.add_argument(
+        "--scheduler", metavar="ADDRESS", help="run the jobs on this Dask cluster instead, as "
+        "tcp://host:8786; needs indexboolean[dask], and files that its workers see by the same "
+        "paths",
+    )
+
+
+def _count(text):
+    count = int(text)
+    if count < 1:
+        raise argparse.ArgumentTypeError(f"{text} is not 1 or more")
+    return count
+
+
+def _seconds(text):
+    seconds = float(text)
+    if not 0 < seconds < float("inf"):
+        raise argparse.ArgumentTypeError(f"{text} is no positive number")
+    return seconds
+
+
+def _bytes(text):
+    match = re.fullmatch(r"([1-9]\d*)([KMGT])", text.upper())
+    if not match:
+        raise argparse.ArgumentTypeError(f"{text!r} is no size such as 4G or 800M")
+    return int(match[1]) << {"K": 10, "M": 20, "G": 30, "T": 40}[match[2]]
 
 
 def _block_names(text):
@@ -178,7 +245,7 @@ def _run_job(options, run, print_result):
             with _progress_bar(console) as on_progress:
                 job = Job(options.first, options.second, options.folder, on_progress)
                 result, messages = run(job, **parameters)
-        except (HostError, JobError, OSError) as error:
+        except (HostError, JobError, MemoryError, OSError) as error:
             console.print(f"error: {error}", style="red", markup=False)
             return 1
         for message in messages:
@@ -207,14 +274,6 @@ def _progress_bar(console):
         yield on_progress
 
 
-def _table(*columns):
-    """A table whose first column is text, the others numbers."""
-    numbers = [Column(name, justify="right", no_wrap=True) for name in columns[1:]]
-    return Table(
-        Column(columns[0], no_wrap=True), *numbers, box=box.SIMPLE_HEAD, pad_edge=False
-    )
-
-
 def _print_table(table, result, remark=""):
     console = Console(soft_wrap=True, highlight=False)
     console.print(table)
@@ -225,7 +284,7 @@ def _print_table(table, result, remark=""):
 
 
 def _print_blocks(result, blocks):
-    table = _table("block", "faces", "volume", "area", "components", "closed")
+    table = new_table("block", "faces", "volume", "area", "components", "closed")
     for block in BLOCKS:
         if block in blocks:
             table.add_row(
@@ -241,7 +300,7 @@ def _print_blocks(result, blocks):
 
 
 def _print_pieces(result):
-    table = _table("pieces", "number", "area", "volume")
+    table = new_table("pieces", "number", "area", "volume")
     for kind in PIECES:
         volume = f"{result[f'{kind}_volumes'].sum():.9g}" if kind == "sub_blocks" else ""
         area = f"{result[f'{kind}_areas'].sum():.9g}"
@@ -250,7 +309,7 @@ def _print_pieces(result):
 
 
 def _print_curves(result):
-    table = _table("kind", "loops", "length")
+    table = new_table("kind", "loops", "length")
     for number, kind in enumerate(LOOP_KINDS):
         lengths = result["loop_lengths"][result["loop_kinds"] == number]
         table.add_row(kind, str(len(lengths)), f"{lengths.sum():.9g}")

@@ -5,23 +5,30 @@
 import json
 import math
 
+import numpy as np
+
 from .host_call import host_call
 from .plugin import load_plugin
 from .ply_file import write_ply
 
 
 class JobError(Exception):
-    """A file that cannot be read or written, or operands that the filter refuses."""
+    """A file that is not there or cannot be written."""
+
+
+class Refusal(JobError):
+    """A file that cannot be read, or operands that the filter refuses."""
 
 
 class Job:
     """A document with the meshes of two files, and the folder that the results go to.
 
-    first, second and folder are pathlib.Path; on_progress is that of host_call. Raises HostError,
-    JobError or OSError.
+    first, second and folder are pathlib.Path; on_progress is that of host_call; transforms are the
+    16 numbers, row by row, of the matrix of each mesh, or None. Raises HostError, JobError,
+    MemoryError or OSError.
     """
 
-    def __init__(self, first, second, folder, on_progress):
+    def __init__(self, first, second, folder, on_progress, transforms=(None, None)):
         load_plugin()
         import pymeshlab
 
@@ -29,7 +36,9 @@ class Job:
         self._files = {"first": str(first), "second": str(second)}
         self._folder = folder
         self._on_progress = on_progress
-        self._operands = [self._load(path) for path in (first, second)]
+        self._operands = [
+            self._load(path, transform) for path, transform in zip((first, second), transforms)
+        ]
         folder.mkdir(parents=True, exist_ok=True)
 
     def run(self, filter_name, **parameters):
@@ -47,7 +56,7 @@ class Job:
             )
         except pymeshlab.PyMeshLabException as error:
             _, _, refusal = str(error).partition("Details: ")  # after the host's own opening
-            raise JobError(refusal or str(error)) from error
+            raise _refusal(refusal or str(error)) from error
         self.meshes.set_verbosity(False)
         return outcome
 
@@ -85,7 +94,7 @@ class Job:
         text = json.dumps(_json_value(record), indent="\t", allow_nan=False)
         (self._folder / "result.json").write_text(text + "\n")
 
-    def _load(self, path):
+    def _load(self, path, transform):
         """The layer id of the file's mesh; the parts of a file of several meshes become one."""
         import pymeshlab
 
@@ -101,8 +110,17 @@ class Job:
                 parts.generate_by_merging_visible_meshes(mergevertices=False)
                 self.meshes.add_mesh(parts.current_mesh(), path.name)
         except pymeshlab.PyMeshLabException as error:
-            raise JobError(f"{path} cannot be read: {error}") from error
+            raise _refusal(f"{path} cannot be read: {error}") from error
+        if transform is not None:
+            matrix = np.reshape(transform, (4, 4))
+            self.meshes.set_matrix(transformmatrix=matrix, freeze=False)
         return self.meshes.current_mesh_id()
+
+
+def _refusal(sentence):
+    """The host and the filter say only in words that memory ran out."""
+    out_of_memory = "bad_alloc" in sentence or "not enough memory" in sentence
+    return MemoryError(sentence) if out_of_memory else Refusal(sentence)
 
 
 def _json_value(value):

@@ -1,0 +1,125 @@
+# SPDX-FileCopyrightText: 2026 The Index Boolean authors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""in: a CSV table of pairs; out: one Pair a row, or every row that is wrong, with its line."""
+
+import csv
+import dataclasses
+import math
+import pathlib
+import re
+from typing import Optional
+
+from .boolean_job import BLOCKS
+
+REQUIRED = ("first", "second")
+OPTIONAL = ("name", "first_transform", "second_transform", "blocks")
+_SHOWN = 10  # of the rows that are wrong
+_AFFINE_LAST_ROW = (0.0, 0.0, 0.0, 1.0)
+
+
+class TableError(Exception):
+    """A table that cannot be read, or rows that make no pair; names each line."""
+
+
+@dataclasses.dataclass(frozen=True)
+class Pair:
+    """One row: absolute paths, 4 x 4 matrices row by row (None: as the file is), block names."""
+
+    name: str
+    first: pathlib.Path
+    second: pathlib.Path
+    first_transform: Optional[tuple]
+    second_transform: Optional[tuple]
+    blocks: tuple
+
+
+def read_table(path, default_blocks):
+    """The pairs of the table at path, whose files are relative to its folder.
+
+    Raises TableError or OSError before any pair is looked at: no file is opened but the table.
+    """
+    try:
+        with open(path, newline="", encoding="utf-8-sig") as file:
+            reader = csv.DictReader(file, strict=True)
+            _check_columns(path, reader.fieldnames or ())
+            rows = [(reader.line_num, row) for row in reader]
+    except (csv.Error, UnicodeDecodeError) as error:
+        raise TableError(f"{path} is no CSV table in UTF-8: {error}") from error
+    pairs, wrong, names = [], [], {}
+    for number, (line, row) in enumerate(rows, start=1):
+        try:
+            pair = _pair_of(row, number, path.absolute().parent, default_blocks)
+            if pair.name in names:
+                raise ValueError(f"line {names[pair.name]} has the name {pair.name!r}, too")
+            names[pair.name] = line
+            pairs.append(pair)
+        except ValueError as error:
+            wrong.append(f"line {line}: {error}")
+    if wrong:
+        more = [f"and {len(wrong) - _SHOWN} more"] if len(wrong) > _SHOWN else []
+        raise TableError("\n".join([f"{path} has wrong rows:", *wrong[:_SHOWN], *more]))
+    if not pairs:
+        raise TableError(f"{path} has no rows below its header")
+    return pairs
+
+
+def _check_columns(path, columns):
+    known = REQUIRED + OPTIONAL
+    absent = [column for column in REQUIRED if column not in columns]
+    unknown = [column for column in columns if column not in known]
+    if absent or unknown or len(set(columns)) < len(columns):
+        raise TableError(
+            f"{path}: the first line must name the columns {', '.join(REQUIRED)} and may name "
+            f"{', '.join(OPTIONAL)}, each once; it names {', '.join(columns) or 'none'}"
+        )
+
+
+def _pair_of(row, number, folder, default_blocks):
+    if None in row or None in row.values():
+        raise ValueError("it has more or fewer cells than the header")
+    row = {column: cell.strip() for column, cell in row.items()}
+    for column in REQUIRED:
+        if not row[column]:
+            raise ValueError(f"{column} is empty")
+    return Pair(
+        name=_name_of(row.get("name") or f"{number:04}"),
+        first=folder / row["first"],
+        second=folder / row["second"],
+        first_transform=_matrix_of("first_transform", row),
+        second_transform=_matrix_of("second_transform", row),
+        blocks=_blocks_of(row.get("blocks", ""), default_blocks),
+    )
+
+
+def _name_of(text):
+    """The name of a folder beside those of the other jobs."""
+    if not re.fullmatch(r"[\w(][\w .,+=()-]*", text) or text.endswith("."):
+        raise ValueError(
+            f"{text!r} cannot be a folder's name here: take letters, digits, spaces and _ . - + ="
+        )
+    return text
+
+
+def _matrix_of(column, row):
+    """The 16 numbers of a 3 x 4 or 4 x 4 matrix; None if the cell is empty or absent."""
+    words = re.split(r"[\s,;]+", row.get(column, "").strip("[]() "))
+    if words == [""]:
+        return None
+    numbers = tuple(float(word) for word in words)
+    if len(numbers) == 12:
+        numbers += _AFFINE_LAST_ROW
+    if len(numbers) != 16:
+        raise ValueError(f"{column} has {len(numbers)} numbers; 12 or 16 make a matrix")
+    if not all(map(math.isfinite, numbers)):
+        raise ValueError(f"{column} has a number that is not finite")
+    if numbers[12:] != _AFFINE_LAST_ROW:
+        raise ValueError(f"{column}: the last row of a 4 x 4 matrix must be 0 0 0 1")
+    return numbers
+
+
+def _blocks_of(text, default_blocks):
+    names = re.split(r"[\s,;]+", text) if text else default_blocks
+    for name in names:
+        if name not in BLOCKS:
+            raise ValueError(f"no block {name!r}; there are {', '.join(BLOCKS)}")
+    return tuple(block for block in BLOCKS if block in names)
