@@ -11,6 +11,7 @@
     result = ms.generate_index_boolean(first_mesh=0, second_mesh=1)
 
 Command line: python -m indexboolean boolean|split|curves a.ply b.ply -o DIR
+              python -m indexboolean batch jobs.csv -o DIR
 """
 
 from .plugin import HostError, load_plugin, plugin_path

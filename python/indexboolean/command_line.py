@@ -8,6 +8,7 @@ interrupted.
 
 import argparse
 import contextlib
+import importlib.util
 import os
 import pathlib
 import re
@@ -198,6 +199,8 @@ def _bytes(text):
     match = re.fullmatch(r"([1-9]\d*)([KMGT])", text.upper())
     if not match:
         raise argparse.ArgumentTypeError(f"{text!r} is no size such as 4G or 800M")
+    if importlib.util.find_spec("resource") is None:
+        raise argparse.ArgumentTypeError("this system cannot cap the memory of a process")
     return int(match[1]) << {"K": 10, "M": 20, "G": 30, "T": 40}[match[2]]
 
 
