@@ -86,6 +86,13 @@ struct BoundedPair {
 
 	bool isZero() const { return high == 0 && low == 0 && bound == 0; }
 	int sign() const;
+
+	// a - b, which is exact.
+	static BoundedPair difference(double a, double b) {
+		const double high = a - b;
+		const double part = high - a;
+		return {high, (a - (high - part)) - (b + part), 0};
+	}
 };
 
 BoundedPair operator+(BoundedPair a, BoundedPair b);

@@ -7,6 +7,7 @@
 #include "exact_sign.h"
 
 #include <algorithm>
+#include <type_traits>
 
 namespace index_boolean {
 
@@ -17,7 +18,13 @@ using Vector = std::array<N, 3>;
 
 template <class N>
 Vector<N> difference(const Point& a, const Point& b) {
-	return {N(a[0]) - N(b[0]), N(a[1]) - N(b[1]), N(a[2]) - N(b[2])};
+	const auto component = [&](std::size_t k) {
+		if constexpr (std::is_same_v<N, BoundedPair>)
+			return BoundedPair::difference(a[k], b[k]);
+		else
+			return N(a[k]) - N(b[k]);
+	};
+	return {component(0), component(1), component(2)};
 }
 
 template <class N>
@@ -89,9 +96,10 @@ Quotient<N> quotient(const ExactPoint& p) {
 	case ExactPoint::Form::Explicit:
 		break;
 	case ExactPoint::Form::LinePlane: {
-		const N first = orient3dValue<N>(*by[2], *by[3], *by[4], *by[0]);
-		const N second = orient3dValue<N>(*by[2], *by[3], *by[4], *by[1]);
-		return onLine<N>(*by[0], *by[1], first, first - second);
+		const Vector<N> normal =
+		    cross(difference<N>(*by[3], *by[2]), difference<N>(*by[4], *by[2]));
+		const N first = dot(normal, difference<N>(*by[0], *by[2]));
+		return onLine<N>(*by[0], *by[1], first, dot(normal, difference<N>(*by[0], *by[1])));
 	}
 	case ExactPoint::Form::LineLine: {
 		const N first = orient2dValue<N>(*by[2], *by[3], *by[0], p.axis);

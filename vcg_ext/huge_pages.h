@@ -39,6 +39,13 @@ std::unique_ptr<T[]> makeHuge(std::size_t n) {
 	return array;
 }
 
+// As reserveHuge, then makes the array as long.
+template <class T>
+void resizeHuge(std::vector<T>& array, std::size_t n) {
+	reserveHuge(array, n);
+	array.resize(n);
+}
+
 // As reserveHuge, then gives the array n times the value.
 template <class T>
 void assignHuge(std::vector<T>& array, std::size_t n, const T& value) {

@@ -22,17 +22,34 @@ class Incidence {
 public:
 	// Of the segments for which `counts` is true.
 	template <class Counts>
-	Incidence(const Curve& curve, Counts&& counts) : curve_(curve) {
+	Incidence(const Arrangement& arrangement, Counts&& counts)
+	    : curve_(arrangement.curve), vertexCount_(arrangement.vertexOf({0}).value) {
+		const Curve& curve = curve_;
 		std::vector<std::uint32_t> used;
+		std::vector<VertexId> given;
+		pointIndex_.assign(curve.pointCount(), kUnused);
 		for (std::uint32_t s = 0; s < curve.segments.size(); ++s) {
 			if (counts(curve.segments[s])) {
 				used.push_back(s);
-				points_.push_back(curve.segments[s].begin);
-				points_.push_back(curve.segments[s].end);
+				for (const VertexId v : {curve.segments[s].begin, curve.segments[s].end}) {
+					if (v.value < vertexCount_) {
+						given.push_back(v);
+					} else {
+						pointIndex_[v.value - vertexCount_] = 0;
+					}
+				}
 			}
 		}
-		std::sort(points_.begin(), points_.end());
-		points_.erase(std::unique(points_.begin(), points_.end()), points_.end());
+		std::sort(given.begin(), given.end());
+		given.erase(std::unique(given.begin(), given.end()), given.end());
+		points_ = std::move(given);
+		givenCount_ = points_.size();
+		for (std::uint32_t p = 0; p < pointIndex_.size(); ++p) {
+			if (pointIndex_[p] != kUnused) {
+				pointIndex_[p] = static_cast<std::uint32_t>(points_.size());
+				points_.push_back({vertexCount_ + p});
+			}
+		}
 		first_.assign(points_.size() + 1, 0);
 		for (const std::uint32_t s : used) {
 			++first_[index(curve.segments[s].begin) + 1];
@@ -68,12 +85,21 @@ public:
 
 private:
 	std::size_t index(VertexId v) const {
-		return static_cast<std::size_t>(std::lower_bound(points_.begin(), points_.end(), v) -
+		if (v.value >= vertexCount_) {
+			return pointIndex_[v.value - vertexCount_];
+		}
+		const auto end = points_.begin() + static_cast<std::ptrdiff_t>(givenCount_);
+		return static_cast<std::size_t>(std::lower_bound(points_.begin(), end, v) -
 		                                points_.begin());
 	}
 
+	static constexpr std::uint32_t kUnused = 0xffffffffu;
+
 	const Curve& curve_;
-	std::vector<VertexId> points_;
+	std::uint32_t vertexCount_;              // of both operands
+	std::vector<VertexId> points_;           // ascending: input vertices, then points of the curve
+	std::size_t givenCount_ = 0;             // of the former
+	std::vector<std::uint32_t> pointIndex_;  // in points_, per point of the curve
 	std::vector<std::uint32_t> first_;
 	std::vector<std::uint32_t> segments_;
 };
@@ -214,7 +240,7 @@ Status Tracer::run() {
 		status = buildComplex(arrangement_, ComplexOf::IrregularPoints, monitor_, complex_);
 	}
 	if (status.ok()) {
-		trace(Incidence(curve_, [this](const Segment& s) {
+		trace(Incidence(arrangement_, [this](const Segment& s) {
 			return s.crossing || complex_.partingEdge(s.begin, s.end) != nullptr;
 		}));
 		count(arrangement_.loops, arrangement_.loopCounts);

@@ -5,7 +5,9 @@
 // segments inside it, all known by index. Only their order and orientation are asked of geometry.
 #include "retriangulate.h"
 
+#include "bucket_sort.h"
 #include "exact_sign.h"
+#include "huge_pages.h"
 #include "parallel.h"
 #include "planar_sweep.h"
 #include "self_intersecting.h"
@@ -83,10 +85,11 @@ bool operator==(PlanarEdge a, PlanarEdge b) { return a.left == b.left && a.right
 class FaceOrientation : public PlanarOrientation {
 public:
 	FaceOrientation(const std::vector<ExactPoint>& points, const std::vector<LocalVertex>& vertices,
-	                int axis)
-	    : points_(points), vertices_(vertices), axis_(axis) {}
+	                const std::vector<std::uint32_t>& order, int axis)
+	    : points_(points), vertices_(vertices), order_(order), axis_(axis) {}
 
-	int operator()(std::uint32_t a, std::uint32_t b, std::uint32_t c) const override {
+	int operator()(std::uint32_t rankA, std::uint32_t rankB, std::uint32_t rankC) const override {
+		const std::uint32_t a = order_[rankA], b = order_[rankB], c = order_[rankC];
 		if ((vertices_[a].onEdges & vertices_[b].onEdges & vertices_[c].onEdges) != 0) {
 			return 0;
 		}
@@ -96,6 +99,7 @@ public:
 private:
 	const std::vector<ExactPoint>& points_;
 	const std::vector<LocalVertex>& vertices_;
+	const std::vector<std::uint32_t>& order_;  // by rank
 	int axis_;
 };
 
@@ -132,9 +136,10 @@ private:
 	int sign_ = 1;
 	std::array<std::vector<VertexId>, 3> side_;  // corner i, the points on edge i, corner i+1
 	std::array<const CutEdge*, 3> cutEdge_{};
-	std::vector<LocalVertex> vertices_;  // by rank, once sorted
-	std::vector<ExactPoint> points_;
-	std::vector<std::pair<std::uint32_t, std::uint32_t>> ranks_;  // vertex id, rank
+	std::vector<LocalVertex> vertices_;  // by id
+	std::vector<ExactPoint> points_;     // of the vertices
+	std::vector<std::uint32_t> order_;   // by rank: which of the vertices it is
+	std::vector<std::uint32_t> rankOfVertex_;
 	std::vector<FixedEdge> fixed_;
 	std::vector<PlanarEdge> planarEdges_;
 	std::vector<std::array<std::uint32_t, 3>> triangles_;
@@ -195,40 +200,40 @@ void FaceCutter::collectInner(const FaceLines& lines) {
 	    vertices_.end());
 }
 
-// Puts the vertices in lexicographic order of the projected exact coordinates. False if two of them
-// lie in one place: their names differ, so an operand touches itself there.
+// Ranks the vertices in lexicographic order of the projected exact coordinates. False if two of
+// them lie in one place: their names differ, so an operand touches itself there.
 bool FaceCutter::sortVertices() {
-	std::vector<std::pair<LocalVertex, ExactPoint>> sorted;
-	sorted.reserve(vertices_.size());
+	points_.clear();
+	order_.clear();
 	for (const LocalVertex& v : vertices_) {
-		sorted.emplace_back(v, exactPoint(arrangement_, v.id));
+		order_.push_back(static_cast<std::uint32_t>(points_.size()));
+		points_.push_back(exactPoint(arrangement_, v.id));
 	}
 	const int x = nextCorner(axis_);
 	const int y = previousCorner(axis_);
-	const auto before = [x, y](const auto& a, const auto& b) {
-		const int order = compareCoordinate(a.second, b.second, x);
-		return order != 0 ? order < 0 : compareCoordinate(a.second, b.second, y) < 0;
+	const auto before = [this, x, y](std::uint32_t a, std::uint32_t b) {
+		const int order = compareCoordinate(points_[a], points_[b], x);
+		return order != 0 ? order < 0 : compareCoordinate(points_[a], points_[b], y) < 0;
 	};
-	std::sort(sorted.begin(), sorted.end(), before);
-	for (std::size_t i = 0; i + 1 < sorted.size(); ++i) {
-		if (!before(sorted[i], sorted[i + 1])) {
+	std::sort(order_.begin(), order_.end(), before);
+	for (std::size_t i = 0; i + 1 < order_.size(); ++i) {
+		if (!before(order_[i], order_[i + 1])) {
 			return false;
 		}
 	}
-	points_.clear();
-	ranks_.clear();
-	for (std::uint32_t rank = 0; rank < sorted.size(); ++rank) {
-		vertices_[rank] = sorted[rank].first;
-		points_.push_back(sorted[rank].second);
-		ranks_.emplace_back(vertices_[rank].id.value, rank);
+	rankOfVertex_.resize(order_.size());
+	for (std::uint32_t rank = 0; rank < order_.size(); ++rank) {
+		rankOfVertex_[order_[rank]] = rank;
 	}
-	std::sort(ranks_.begin(), ranks_.end());
 	return true;
 }
 
+// \pre one of the vertices, which are sorted by id
 std::uint32_t FaceCutter::rankOf(VertexId id) const {
-	const auto it = std::lower_bound(ranks_.begin(), ranks_.end(), std::make_pair(id.value, 0u));
-	return it->second;
+	const auto it =
+	    std::lower_bound(vertices_.begin(), vertices_.end(), id,
+	                     [](const LocalVertex& v, VertexId wanted) { return v.id < wanted; });
+	return rankOfVertex_[static_cast<std::size_t>(it - vertices_.begin())];
 }
 
 PlanarEdge planarEdge(std::uint32_t a, std::uint32_t b) { return {std::min(a, b), std::max(a, b)}; }
@@ -378,7 +383,7 @@ void FaceCutter::emit() {
 	for (std::size_t piece = 0; piece < triangles_.size(); ++piece) {
 		Triangle t{};
 		for (std::size_t i = 0; i < 3; ++i) {
-			const VertexId v = vertices_[triangles_[piece][i]].id;
+			const VertexId v = vertices_[order_[triangles_[piece][i]]].id;
 			t[i] = v;
 			if (std::find(corners_->begin(), corners_->end(), v) != corners_->end()) {
 				auto& links = arrangement_.isOnOther(v) ? out_.cornerLinks : out_.links;
@@ -404,7 +409,7 @@ bool FaceCutter::cut(const FaceLines& lines) {
 		return false;
 	}
 	fixEdges(lines);
-	const FaceOrientation orientation(points_, vertices_, axis_);
+	const FaceOrientation orientation(points_, vertices_, order_, axis_);
 	const auto pointCount = static_cast<std::uint32_t>(vertices_.size());
 	if (!triangulatePlanar(pointCount, planarEdges_, orientation, triangles_)) {
 		return false;
@@ -447,40 +452,82 @@ FaceLines linesOf(const Curve& curve, FaceId face) {
 	return {face, segments.first, segments.second, diagonals.first, diagonals.second};
 }
 
-// Puts the chunks one after another.
-void concatenate(const std::vector<ChunkPieces>& chunks, const Arrangement& arrangement,
-                 Refinement& out) {
-	out.nodeCount = static_cast<std::uint32_t>(arrangement.mesh.points.size() +
-	                                           arrangement.curve.intervalCount());
-	out.isCut.assign(arrangement.mesh.triangles.size(), 0);
-	for (const ChunkPieces& chunk : chunks) {
-		const auto pieceOffset = static_cast<std::uint32_t>(out.pieces.size());
-		const std::uint32_t nodeOffset = out.nodeCount;
-		const auto node = [nodeOffset](std::uint32_t region) {
-			return region == kNone ? NodeId::none() : NodeId{region + nodeOffset};
-		};
-		for (const CutFace& f : chunk.cutFaces) {
-			out.cutFaces.push_back({f.face, f.firstPiece + pieceOffset});
-			at(out.isCut, f.face) = 1;
-		}
-		out.pieces.insert(out.pieces.end(), chunk.pieces.begin(), chunk.pieces.end());
-		for (const std::uint32_t region : chunk.pieceRegion) {
-			out.pieceRegion.push_back(node(region));
-		}
-		for (const FaceSides& s : chunk.sides) {
-			out.sides.push_back({s.segment, s.face, node(s.left), node(s.right)});
-		}
-		for (const RegionLink& link : chunk.links) {
-			out.links.push_back({node(link.region), link.other});
-		}
-		for (const RegionLink& link : chunk.cornerLinks) {
-			out.cornerLinks.push_back({node(link.region), link.other});
-		}
-		out.nodeCount += chunk.regionCount;
+// Where the parts of a chunk begin in the whole.
+struct ChunkBegin {
+	std::size_t cutFaces = 0, pieces = 0, sides = 0, links = 0, cornerLinks = 0;
+	std::uint32_t node = 0;  // of its first region
+
+	ChunkBegin next(const ChunkPieces& chunk) const {
+		return {cutFaces + chunk.cutFaces.size(),
+		        pieces + chunk.pieces.size(),
+		        sides + chunk.sides.size(),
+		        links + chunk.links.size(),
+		        cornerLinks + chunk.cornerLinks.size(),
+		        node + chunk.regionCount};
 	}
-	std::sort(out.sides.begin(), out.sides.end(), [](const SegmentSide& a, const SegmentSide& b) {
-		return a.segment != b.segment ? a.segment < b.segment : a.face < b.face;
+};
+
+// Writes one chunk to its place.
+void place(const ChunkPieces& chunk, const ChunkBegin& begin, Refinement& out) {
+	const auto node = [&begin](std::uint32_t region) {
+		return region == kNone ? NodeId::none() : NodeId{region + begin.node};
+	};
+	const auto transform = [](const auto& from, auto& to, std::size_t first, auto&& change) {
+		for (std::size_t i = 0; i < from.size(); ++i) {
+			to[first + i] = change(from[i]);
+		}
+	};
+	transform(chunk.cutFaces, out.cutFaces, begin.cutFaces, [&](const CutFace& f) {
+		at(out.isCut, f.face) = 1;
+		return CutFace{f.face, f.firstPiece + static_cast<std::uint32_t>(begin.pieces)};
 	});
+	transform(chunk.pieces, out.pieces, begin.pieces, [](const Triangle& t) { return t; });
+	transform(chunk.pieceRegion, out.pieceRegion, begin.pieces, node);
+	transform(chunk.sides, out.sides, begin.sides, [&](const FaceSides& s) {
+		return SegmentSide{s.segment, s.face, node(s.left), node(s.right)};
+	});
+	const auto link = [&](const RegionLink& l) {
+		return std::array<NodeId, 2>{node(l.region), l.other};
+	};
+	transform(chunk.links, out.links, begin.links, link);
+	transform(chunk.cornerLinks, out.cornerLinks, begin.cornerLinks, link);
+}
+
+// Puts the chunks one after another.
+Status concatenate(const std::vector<ChunkPieces>& chunks, const Arrangement& arrangement,
+                   Monitor& monitor, Refinement& out) {
+	std::vector<ChunkBegin> begins(1);
+	begins.front().node = static_cast<std::uint32_t>(arrangement.mesh.points.size() +
+	                                                 arrangement.curve.intervalCount());
+	for (const ChunkPieces& chunk : chunks) {
+		begins.push_back(begins.back().next(chunk));
+	}
+	const ChunkBegin& all = begins.back();
+	out.nodeCount = all.node;
+	out.isCut.assign(arrangement.mesh.triangles.size(), 0);
+	resizeHuge(out.cutFaces, all.cutFaces);
+	resizeHuge(out.pieces, all.pieces);
+	resizeHuge(out.pieceRegion, all.pieces);
+	resizeHuge(out.sides, all.sides);
+	resizeHuge(out.links, all.links);
+	resizeHuge(out.cornerLinks, all.cornerLinks);
+	const int threads = arrangement.options.threads;
+	Status status =
+	    parallelFor(chunks.size(), 8, threads, monitor, [&](std::size_t begin, std::size_t end) {
+		    for (std::size_t i = begin; i < end; ++i) {
+			    place(chunks[i], begins[i], out);
+		    }
+	    });
+	if (!status.ok()) {
+		return status;
+	}
+	return bucketSort(
+	    out.sides, arrangement.curve.segments.size(),
+	    [](const SegmentSide& s) { return s.segment.value; },
+	    [](const SegmentSide& a, const SegmentSide& b) {
+		    return a.segment != b.segment ? a.segment < b.segment : a.face < b.face;
+	    },
+	    threads, monitor);
 }
 
 // The other operand's faces with segments on a face that could not be cut.
@@ -527,8 +574,7 @@ Status retriangulate(Arrangement& arrangement, Monitor& monitor) {
 			return refuseFace(arrangement, chunk.failed);
 		}
 	}
-	concatenate(chunks, arrangement, arrangement.refinement);
-	return {};
+	return concatenate(chunks, arrangement, monitor, arrangement.refinement);
 }
 
 }  // namespace index_boolean

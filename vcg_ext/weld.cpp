@@ -5,12 +5,14 @@
 // pairs of points to find segments that several pairs of faces share.
 #include "weld.h"
 
+#include "bucket_sort.h"
 #include "parallel.h"
 #include "self_intersecting.h"
 
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <functional>
 
 namespace index_boolean {
 
@@ -19,6 +21,11 @@ namespace {
 bool isNewPoint(const PointName& name) {
 	return name.kind == PointKind::EdgeEdge || name.kind == PointKind::EdgeFace;
 }
+
+struct NamedSlot {
+	PointName name;
+	std::uint32_t slot;  // in the contacts
+};
 
 // A point on an edge of an operand; none() stands for an edge that is there for its ends alone.
 struct EdgePoint {
@@ -58,20 +65,26 @@ public:
 	Status run();
 
 private:
-	void numberPoints();
+	Status numberPoints();
 	Status roundPoints();
-	void collectTouchedFaces();
-	void collectPointsOnEdges();
+	Status collectTouchedFaces();
+	Status collectPointsOnEdges();
 	void collectCutEdges();
 	bool sortAlongEdge(const CutEdge& edge, VertexId* points) const;
 	Status sortPointsOnEdges();
 	Status refuseCoincidentPoints(const CutEdge& edge) const;
-	void collectLines();
+	Status collectLines();
 	void addLine(VertexId begin, VertexId end, std::uint32_t contact);
 	void addOverlap(std::uint32_t contact);
-	void numberSegments();
+	Status numberSegments();
 	void findIrregularPoints();
 
+	// As std::sort, for items with few equal keys in [0, keyCount).
+	template <class Item, class KeyOf, class Before>
+	Status sort(std::vector<Item>& items, std::size_t keyCount, KeyOf&& keyOf,
+	            Before&& before) const {
+		return bucketSort(items, keyCount, keyOf, before, arrangement_.options.threads, monitor_);
+	}
 	// Whether all faces at an edge have twins: the curve does not go along it.
 	bool isQuiet(VertexId a, VertexId b) const { return mesh_.isQuiet(a) && mesh_.isQuiet(b); }
 	bool isOn(VertexId v) const { return arrangement_.isOnOther(v); }
@@ -88,30 +101,34 @@ private:
 };
 
 // New points are numbered in the order of their names; the others are input vertices.
-void Welder::numberPoints() {
+Status Welder::numberPoints() {
 	curve_.onOther = mesh_.quietVertices;
 	curve_.onOther.resize(mesh_.points.size(), 0);
 	vertexOfName_.resize(contacts_.names.size());
-	std::vector<std::uint32_t> slots;
+	std::vector<NamedSlot> slots;
 	for (std::uint32_t i = 0; i < contacts_.names.size(); ++i) {
 		const PointName& name = contacts_.names[i];
 		if (isNewPoint(name)) {
-			slots.push_back(i);
+			slots.push_back({name, i});
 		} else {
 			vertexOfName_[i] = {name.ids[0]};
 			curve_.onOther[name.ids[0]] = 1;
 		}
 	}
-	std::sort(slots.begin(), slots.end(), [this](std::uint32_t a, std::uint32_t b) {
-		return contacts_.names[a] < contacts_.names[b];
-	});
-	for (const std::uint32_t slot : slots) {
-		const PointName& name = contacts_.names[slot];
+	const std::size_t n = mesh_.points.size();
+	const Status status = sort(
+	    slots, 2 * n,
+	    [n](const NamedSlot& slot) {
+		    return (slot.name.kind == PointKind::EdgeFace ? n : 0) + slot.name.ids[0];
+	    },
+	    [](const NamedSlot& a, const NamedSlot& b) { return a.name < b.name; });
+	for (const auto& [name, slot] : slots) {
 		if (curve_.names.empty() || !(curve_.names.back() == name)) {
 			curve_.names.push_back(name);
 		}
 		vertexOfName_[slot] = arrangement_.vertexOf(makeId<PointTag>(curve_.names.size() - 1));
 	}
+	return status;
 }
 
 Status Welder::roundPoints() {
@@ -126,17 +143,20 @@ Status Welder::roundPoints() {
 	                   });
 }
 
-void Welder::collectTouchedFaces() {
+Status Welder::collectTouchedFaces() {
 	std::vector<FaceId>& faces = curve_.touchedFaces;
+	faces.reserve(2 * contacts_.pairs.size());
 	for (const NamedContact& contact : contacts_.pairs) {
 		faces.push_back(contact.a);
 		faces.push_back(contact.b);
 	}
-	std::sort(faces.begin(), faces.end());
+	const Status status = sort(
+	    faces, mesh_.triangles.size(), [](FaceId f) { return f.value; }, std::less<FaceId>());
 	faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
+	return status;
 }
 
-void Welder::collectPointsOnEdges() {
+Status Welder::collectPointsOnEdges() {
 	for (std::uint32_t p = 0; p < curve_.names.size(); ++p) {
 		const auto& ids = curve_.names[p].ids;
 		const VertexId point = arrangement_.vertexOf({p});
@@ -160,8 +180,11 @@ void Welder::collectPointsOnEdges() {
 			}
 		}
 	}
-	std::sort(edgePoints_.begin(), edgePoints_.end());
+	const Status status = sort(
+	    edgePoints_, mesh_.points.size(), [](const EdgePoint& e) { return e.low.value; },
+	    std::less<EdgePoint>());
 	edgePoints_.erase(std::unique(edgePoints_.begin(), edgePoints_.end()), edgePoints_.end());
+	return status;
 }
 
 void Welder::collectCutEdges() {
@@ -302,7 +325,7 @@ void Welder::addOverlap(std::uint32_t contact) {
 	}
 }
 
-void Welder::collectLines() {
+Status Welder::collectLines() {
 	for (std::uint32_t i = 0; i < contacts_.pairs.size(); ++i) {
 		const NamedContact& c = contacts_.pairs[i];
 		if (c.count == 2) {
@@ -311,16 +334,18 @@ void Welder::collectLines() {
 			addOverlap(i);
 		}
 	}
-	std::sort(lines_.begin(), lines_.end());
 	std::sort(curve_.faceDiagonals.begin(), curve_.faceDiagonals.end(),
 	          [](const FaceDiagonal& a, const FaceDiagonal& b) {
 		          return a.face != b.face     ? a.face < b.face
 		                 : a.begin != b.begin ? a.begin < b.begin
 		                                      : a.end < b.end;
 	          });
+	return sort(
+	    lines_, mesh_.points.size() + curve_.pointCount(),
+	    [](const ContactLine& line) { return line.key().first.value; }, std::less<ContactLine>());
 }
 
-void Welder::numberSegments() {
+Status Welder::numberSegments() {
 	for (std::size_t i = 0; i < lines_.size();) {
 		std::size_t next = i + 1;
 		while (next < lines_.size() && lines_[next].key() == lines_[i].key()) {
@@ -338,14 +363,17 @@ void Welder::numberSegments() {
 		i = next;
 	}
 	std::vector<FaceSegment>& all = curve_.faceSegments;
-	std::sort(all.begin(), all.end(), [](const FaceSegment& a, const FaceSegment& b) {
-		return a.face != b.face ? a.face < b.face : a.segment < b.segment;
-	});
+	const Status status = sort(
+	    all, mesh_.triangles.size(), [](const FaceSegment& s) { return s.face.value; },
+	    [](const FaceSegment& a, const FaceSegment& b) {
+		    return a.face != b.face ? a.face < b.face : a.segment < b.segment;
+	    });
 	all.erase(std::unique(all.begin(), all.end(),
 	                      [](const FaceSegment& a, const FaceSegment& b) {
 		                      return a.face == b.face && a.segment == b.segment;
 	                      }),
 	          all.end());
+	return status;
 }
 
 // Regular is a new point at which two segments meet, each the crossing of two faces.
@@ -371,18 +399,27 @@ void Welder::findIrregularPoints() {
 }
 
 Status Welder::run() {
-	numberPoints();
-	Status status = roundPoints();
-	if (!status.ok()) {
-		return status;
-	}
-	collectTouchedFaces();
-	collectPointsOnEdges();
-	collectCutEdges();
-	status = sortPointsOnEdges();
+	Status status = numberPoints();
 	if (status.ok()) {
-		collectLines();
-		numberSegments();
+		status = roundPoints();
+	}
+	if (status.ok()) {
+		status = collectTouchedFaces();
+	}
+	if (status.ok()) {
+		status = collectPointsOnEdges();
+	}
+	if (status.ok()) {
+		collectCutEdges();
+		status = sortPointsOnEdges();
+	}
+	if (status.ok()) {
+		status = collectLines();
+	}
+	if (status.ok()) {
+		status = numberSegments();
+	}
+	if (status.ok()) {
 		findIrregularPoints();
 	}
 	return status;
