@@ -7,6 +7,7 @@
 #include "face_boxes.h"
 
 #include "bounding_box.h"
+#include "huge_pages.h"
 #include "parallel.h"
 
 #include <algorithm>
@@ -131,8 +132,8 @@ public:
 	    : mesh_(mesh), frame_(frame), threads_(threads), monitor_(monitor) {}
 
 	Status mapVertices() {
-		points_.resize(mesh_.points.size());
-		return parallelFor(points_.size(), kGrain, threads_, monitor_,
+		points_ = makeHuge<FramePoint>(mesh_.points.size());
+		return parallelFor(mesh_.points.size(), kGrain, threads_, monitor_,
 		                   [&](std::size_t begin, std::size_t end) {
 			                   for (std::size_t i = begin; i < end; ++i)
 				                   points_[i] = frame_.map(mesh_.points[i]);
@@ -159,6 +160,10 @@ public:
 			if (keep(box))
 				parts[chunk].push_back(box);
 		});
+		std::size_t count = 0;
+		for (const std::vector<FaceBox>& part : parts)
+			count += part.size();
+		reserveHuge(out, count);
 		for (const std::vector<FaceBox>& part : parts)
 			out.insert(out.end(), part.begin(), part.end());
 		return status;
@@ -173,9 +178,9 @@ private:
 	void visitBox(std::size_t face, Visit visit) const {
 		if (mesh_.quietTwin(makeId<FaceTag>(face)) != Twin::None)
 			return;
-		const FramePoint& p = at(points_, mesh_.triangles[face][0]);
-		const FramePoint& q = at(points_, mesh_.triangles[face][1]);
-		const FramePoint& r = at(points_, mesh_.triangles[face][2]);
+		const FramePoint& p = points_[mesh_.triangles[face][0].value];
+		const FramePoint& q = points_[mesh_.triangles[face][1].value];
+		const FramePoint& r = points_[mesh_.triangles[face][2].value];
 		if ((p.beyond & q.beyond & r.beyond) != 0)
 			return;
 		FaceBox box{};
@@ -191,7 +196,7 @@ private:
 	Frame frame_;
 	int threads_;
 	Monitor& monitor_;
-	std::vector<FramePoint> points_;
+	std::unique_ptr<FramePoint[]> points_;
 };
 
 // The larger operand's faces are looked at once, the smaller one's twice: to mark its cells, and

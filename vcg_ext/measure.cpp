@@ -7,13 +7,10 @@
 // the origin and at any scale. A volume beyond the range of double becomes infinite or 0.
 #include "measure.h"
 
-#include "huge_pages.h"
+#include "concurrent_sets.h"
 #include "mesh_checks.h"
 #include "parallel.h"
 #include "surface_sums.h"
-
-#include <atomic>
-#include <memory>
 
 namespace index_boolean {
 
@@ -23,65 +20,6 @@ constexpr std::size_t kGrain = 8192;
 
 using Corners = std::array<std::uint32_t, 3>;
 
-// Sets of vertices that threads unite at the same time without locks. A vertex's parent never lies
-// above it, so that the lowest vertex of a set is its root, in whatever order sets are united.
-class VertexSets {
-public:
-	explicit VertexSets(std::size_t size)
-	    : size_(size), parents_(makeHuge<std::atomic<std::uint32_t>>(size)) {}
-
-	// Before any are united: no vertex of [begin, end) is in a set.
-	void clear(std::size_t begin, std::size_t end) {
-		for (std::size_t i = begin; i < end; ++i)
-			parents_[i].store(kUnused, std::memory_order_relaxed);
-	}
-
-	void unite(std::uint32_t a, std::uint32_t b) {
-		while (true) {
-			a = root(a);
-			b = root(b);
-			if (a == b)
-				return;
-			if (a < b)
-				std::swap(a, b);
-			std::uint32_t expected = a;  // still a root?
-			if (parents_[a].compare_exchange_strong(expected, b, std::memory_order_relaxed))
-				return;
-		}
-	}
-
-	std::size_t count() const {
-		std::size_t count = 0;
-		for (std::size_t i = 0; i < size_; ++i)
-			count += parents_[i].load(std::memory_order_relaxed) == i ? 1 : 0;
-		return count;
-	}
-
-private:
-	static constexpr std::uint32_t kUnused = 0xffffffff;
-
-	// A vertex becomes a set when its root is first asked for. What a vertex below its root points
-	// to may be stored over by another thread, but only by a vertex of its set that is above the
-	// root as well.
-	std::uint32_t root(std::uint32_t vertex) {
-		std::uint32_t parent = parents_[vertex].load(std::memory_order_relaxed);
-		if (parent == kUnused &&
-		    parents_[vertex].compare_exchange_strong(parent, vertex, std::memory_order_relaxed))
-			return vertex;
-		while (parent != vertex) {
-			const std::uint32_t grandparent = parents_[parent].load(std::memory_order_relaxed);
-			if (grandparent != parent)
-				parents_[vertex].store(grandparent, std::memory_order_relaxed);
-			vertex = grandparent;
-			parent = parents_[vertex].load(std::memory_order_relaxed);
-		}
-		return vertex;
-	}
-
-	std::size_t size_;
-	std::unique_ptr<std::atomic<std::uint32_t>[]> parents_;
-};
-
 // What one pass over a part of the triangles adds up.
 struct Totals {
 	SurfaceSums sums;
@@ -89,7 +27,7 @@ struct Totals {
 };
 
 Totals lookAt(const Corners* begin, const Corners* end, const std::vector<Point>& points,
-              const SumFrame& frame, VertexSets& sets) {
+              const SumFrame& frame, ConcurrentSets& sets) {
 	Totals totals;
 	for (const Corners* t = begin; t != end; ++t) {
 		const auto [a, b, c] = *t;
@@ -114,7 +52,7 @@ BlockMeasure measureSurface(const std::vector<Point>& points,
 	BoundingBox box{};
 	Status status = findBoundingBox(points.data(), points.size(), threads, unheard, box);
 	const SumFrame frame = makeSumFrame(box);
-	VertexSets sets(points.size());
+	ConcurrentSets sets(points.size());
 	if (status.ok()) {
 		status =
 		    parallelFor(points.size(), kGrain, threads, unheard,

@@ -9,6 +9,7 @@
 
 #include "exact_sign.h"
 #include "face_boxes.h"
+#include "huge_pages.h"
 #include "parallel.h"
 
 #include <limits>
@@ -19,10 +20,17 @@ namespace index_boolean {
 
 namespace {
 
-constexpr std::uint64_t kCost = 12;        // all pairs of a leaf cost no more than one more split
-constexpr std::size_t kSmallNode = 2048;   // faces of a node not worth to be shared by threads
-constexpr std::size_t kManyNodes = 64;     // nodes enough for all threads
-constexpr std::size_t kPollPairs = 65536;  // pairs tested between two looks at the monitor
+constexpr std::uint64_t kCost = 12;          // all pairs of a leaf cost no more than one more split
+constexpr std::size_t kSmallNode = 2048;     // faces of a node not worth to be shared by threads
+constexpr std::size_t kLargeNode = 1 << 17;  // faces of a node that threads share
+constexpr std::size_t kManyNodes = 64;       // nodes enough for all threads
+constexpr std::size_t kPollPairs = 65536;    // pairs tested between two looks at the monitor
+
+// For loops by all threads; not to be had inside such a loop.
+struct Workers {
+	int threads;
+	Monitor& monitor;
+};
 
 struct BoxSpan {
 	const FaceBox* first = nullptr;
@@ -50,7 +58,7 @@ public:
 		if (size > capacity_) {
 			capacity_ = 0;
 			boxes_.reset();
-			boxes_.reset(new FaceBox[size]);
+			boxes_ = makeHuge<FaceBox>(size);
 			capacity_ = size;
 		}
 		return boxes_.get();
@@ -97,34 +105,79 @@ void forEachChild(ChildSet set, Visit visit) {
 		visit(static_cast<std::size_t>(kLowestChild[rest]));
 }
 
-using ChildCounts = std::array<std::array<std::size_t, 8>, 2>;
+using ChildCounts = std::array<std::size_t, 8>;
+
+// Which children each box of a range reaches, and how many boxes reach each child.
+ChildCounts countChildren(const BoxSpan& boxes, const std::array<float, 3>& mid, ChildSet* sets) {
+	// By set first: no loop over the children of a box, whose number no processor can guess.
+	std::array<std::size_t, 256> ofSet{};
+	for (std::size_t i = 0; i < boxes.size; ++i) {
+		sets[i] = childrenOf(boxes.first[i], mid);
+		++ofSet[sets[i]];
+	}
+	ChildCounts counts{};
+	for (unsigned set = 1; set < ofSet.size(); ++set) {
+		if (ofSet[set] != 0) {
+			forEachChild(static_cast<ChildSet>(set),
+			             [&](std::size_t child) { counts[child] += ofSet[set]; });
+		}
+	}
+	return counts;
+}
 
 // The split of one node: which boxes go to which children.
 class Split {
 public:
 	// Counts the boxes of all children. \return false if splitting does not help
-	bool count(const Node& node);
+	bool count(const Node& node) { return countIn(node, node.size(), nullptr); }
 
-	// Writes the boxes of the living children to `buffer` and appends the children to `out`.
+	// The same by all threads. Once cancelled, what follows is of no use.
+	bool countTogether(const Node& node, const Workers& workers) {
+		return countIn(node, kChunk, &workers);
+	}
+
+	// Writes the boxes of the living children to `buffer` and appends the children to `out`, by
+	// all threads if they have been counted so.
 	void distribute(const Node& node, BoxBuffer& buffer, std::vector<Node>& out);
 
 private:
+	static constexpr std::size_t kChunk = 1 << 15;
+
+	bool countIn(const Node& node, std::size_t grain, const Workers* workers);
 	bool helps(const Node& node) const;
 
-	std::array<std::vector<ChildSet>, 2> sets_;  // for each box
-	ChildCounts counts_{};
+	// Calls body(chunk, begin, end) for all chunks of n boxes.
+	template <class Body>
+	void forEachChunk(std::size_t n, Body&& body) const {
+		if (workers_ == nullptr)
+			body(std::size_t{0}, std::size_t{0}, n);
+		else
+			parallelForChunks(n, grain_, workers_->threads, workers_->monitor, body);
+	}
+
+	const Workers* workers_ = nullptr;
+	std::size_t grain_ = 0;
+	std::array<std::vector<ChildSet>, 2> sets_;      // for each box
+	std::array<std::vector<ChildCounts>, 2> parts_;  // for each chunk of boxes
+	std::array<ChildCounts, 2> counts_{};
 	ChildSet living_ = 0;  // children with boxes of both operands
 };
 
-bool Split::count(const Node& node) {
+bool Split::countIn(const Node& node, std::size_t grain, const Workers* workers) {
+	workers_ = workers;
+	grain_ = grain;
 	counts_ = {};
 	for (std::size_t k = 0; k < 2; ++k) {
 		const BoxSpan& faces = node.faces[k];
 		sets_[k].resize(std::max(sets_[k].size(), faces.size));
-		for (std::size_t i = 0; i < faces.size; ++i) {
-			const ChildSet set = childrenOf(faces.first[i], node.mid);
-			sets_[k][i] = set;
-			forEachChild(set, [&](std::size_t child) { ++counts_[k][child]; });
+		parts_[k].resize(workers == nullptr ? 1 : chunkCount(faces.size, grain));
+		forEachChunk(faces.size, [&](std::size_t chunk, std::size_t begin, std::size_t end) {
+			parts_[k][chunk] =
+			    countChildren({faces.first + begin, end - begin}, node.mid, &sets_[k][begin]);
+		});
+		for (const ChildCounts& part : parts_[k]) {
+			for (std::size_t child = 0; child < 8; ++child)
+				counts_[k][child] += part[child];
 		}
 	}
 	living_ = 0;
@@ -176,11 +229,19 @@ void Split::distribute(const Node& node, BoxBuffer& buffer, std::vector<Node>& o
 		out.push_back(result);
 	});
 	for (std::size_t k = 0; k < 2; ++k) {
-		for (std::size_t i = 0; i < node.faces[k].size; ++i) {
-			const FaceBox& box = node.faces[k].first[i];
-			forEachChild(static_cast<ChildSet>(sets_[k][i] & living_),
-			             [&](std::size_t child) { *ends[k][child]++ = box; });
+		std::vector<std::array<FaceBox*, 8>> begins;
+		for (const ChildCounts& part : parts_[k]) {
+			begins.push_back(ends[k]);
+			forEachChild(living_, [&](std::size_t child) { ends[k][child] += part[child]; });
 		}
+		const BoxSpan& faces = node.faces[k];
+		forEachChunk(faces.size, [&](std::size_t chunk, std::size_t begin, std::size_t end) {
+			std::array<FaceBox*, 8> to = begins[chunk];
+			for (std::size_t i = begin; i < end; ++i) {
+				forEachChild(static_cast<ChildSet>(sets_[k][i] & living_),
+				             [&](std::size_t child) { *to[child]++ = faces.first[i]; });
+			}
+		});
 	}
 }
 
@@ -346,26 +407,46 @@ struct Frontier {
 	std::vector<std::unique_ptr<BoxBuffer>> buffers;
 };
 
-// Replaces the large nodes by their children.
+// What replaces one node of a frontier: its children, or itself.
+struct Expansion {
+	std::vector<Node> nodes;
+	std::unique_ptr<BoxBuffer> buffer;
+
+	void split(const Node& node, Split& counted) {
+		buffer = std::make_unique<BoxBuffer>();
+		counted.distribute(node, *buffer, nodes);
+	}
+};
+
+// Replaces the large nodes by their children: the largest ones by all threads together, the others
+// side by side.
 Status expand(const Options& options, Monitor& monitor, Frontier& frontier) {
 	const std::size_t count = frontier.nodes.size();
-	std::vector<std::vector<Node>> children(count);
-	std::vector<std::unique_ptr<BoxBuffer>> buffers(count);
+	const Workers workers{options.threads, monitor};
+	std::vector<Expansion> expansions(count);
+	for (std::size_t i = 0; i < count && !monitor.cancelled(); ++i) {
+		const Node& node = frontier.nodes[i];
+		Split split;
+		if (node.size() >= kLargeNode && !isLeaf(node, options) &&
+		    split.countTogether(node, workers) && !monitor.cancelled())
+			expansions[i].split(node, split);
+	}
 	const Status status = parallelForChunks(
 	    count, 1, options.threads, monitor, [&](std::size_t i, std::size_t, std::size_t) {
 		    const Node& node = frontier.nodes[i];
 		    Split split;
-		    if (node.size() < kSmallNode || isLeaf(node, options) || !split.count(node)) {
-			    children[i].push_back(node);
+		    if (!expansions[i].nodes.empty())
 			    return;
-		    }
-		    buffers[i] = std::make_unique<BoxBuffer>();
-		    split.distribute(node, *buffers[i], children[i]);
+		    if (node.size() < kSmallNode || node.size() >= kLargeNode || isLeaf(node, options) ||
+		        !split.count(node))
+			    expansions[i].nodes.push_back(node);
+		    else
+			    expansions[i].split(node, split);
 	    });
 	frontier.nodes.clear();
-	for (std::size_t i = 0; i < count; ++i) {
-		frontier.nodes.insert(frontier.nodes.end(), children[i].begin(), children[i].end());
-		frontier.buffers.push_back(std::move(buffers[i]));
+	for (Expansion& expansion : expansions) {
+		frontier.nodes.insert(frontier.nodes.end(), expansion.nodes.begin(), expansion.nodes.end());
+		frontier.buffers.push_back(std::move(expansion.buffer));
 	}
 	return status;
 }

@@ -6,6 +6,7 @@
 #include "split_meshes.h"
 
 #include "clean.h"
+#include "huge_pages.h"
 #include "parallel.h"
 #include "weld.h"
 
@@ -32,6 +33,8 @@ public:
 	    : arrangement_(arrangement), surfaces_(surfaces), blocks_(blocks), monitor_(monitor),
 	      out_(out) {}
 
+	// Makes room for faces to be chosen.
+	void expect(std::size_t faceCount) { reserveHuge(chosen_, faceCount); }
 	void choose(const ChosenFace& face) { chosen_.push_back(face); }
 	// Makes the mesh of the chosen faces.
 	Status run();
@@ -60,11 +63,12 @@ std::array<std::int32_t, 2> Collector::besideOf(const ChosenFace& face) const {
 	return beside;
 }
 
-// Lists the vertices of the chosen faces, ascending: by marks if most of all are chosen.
+// Lists the vertices of the chosen faces, ascending: by marks unless few of all are chosen.
 void Collector::listVertices() {
 	const std::vector<RefinedFace>& faces = surfaces_.complex.faces;
 	std::vector<VertexId>& used = out_.vertexSource;
-	if (chosen_.size() < faces.size() / 8) {
+	constexpr std::size_t kFewOf = 64;
+	if (chosen_.size() < faces.size() / kFewOf) {
 		for (const ChosenFace& face : chosen_) {
 			const Triangle& t = faces[face.face].corners;
 			used.insert(used.end(), t.begin(), t.end());
@@ -73,12 +77,14 @@ void Collector::listVertices() {
 		used.erase(std::unique(used.begin(), used.end()), used.end());
 		return;
 	}
-	numbers_.assign(arrangement_.mesh.points.size() + arrangement_.curve.pointCount(), kUnused);
+	assignHuge(numbers_, arrangement_.mesh.points.size() + arrangement_.curve.pointCount(),
+	           kUnused);
 	for (const ChosenFace& face : chosen_) {
 		for (const VertexId v : faces[face.face].corners) {
 			at(numbers_, v) = 0;
 		}
 	}
+	reserveHuge(used, numbers_.size());
 	for (std::uint32_t v = 0; v < numbers_.size(); ++v) {
 		if (numbers_[v] != kUnused) {
 			numbers_[v] = static_cast<std::uint32_t>(used.size());
@@ -98,7 +104,7 @@ std::uint32_t Collector::numberOf(VertexId v) const {
 Status Collector::placeVertices() {
 	listVertices();
 	const std::vector<VertexId>& used = out_.vertexSource;
-	out_.points.resize(used.size());
+	resizeHuge(out_.points, used.size());
 	return parallelFor(used.size(), kGrain, arrangement_.options.threads, monitor_,
 	                   [&](std::size_t begin, std::size_t end) {
 		                   for (std::size_t v = begin; v < end; ++v) {
@@ -125,10 +131,10 @@ Status Collector::clean() {
 Status Collector::run() {
 	Status status = placeVertices();
 	const std::size_t n = chosen_.size();
-	out_.triangles.resize(n);
-	out_.faceSource.resize(n);
-	out_.subSurface.resize(n);
-	out_.beside.resize(n);
+	resizeHuge(out_.triangles, n);
+	resizeHuge(out_.faceSource, n);
+	resizeHuge(out_.subSurface, n);
+	resizeHuge(out_.beside, n);
 	const auto write = [&](std::size_t begin, std::size_t end) {
 		for (std::size_t i = begin; i < end; ++i) {
 			const ChosenFace& face = chosen_[i];
@@ -154,6 +160,7 @@ Status collectSubSurfaces(const Arrangement& arrangement, const SubSurfaces& sur
 	out = SplitMesh{};
 	Collector collector(arrangement, surfaces, blocks, monitor, out);
 	const std::vector<RefinedFace>& faces = surfaces.complex.faces;
+	collector.expect(faces.size());
 	const auto choose = [&](std::size_t begin, std::size_t end) {
 		for (std::size_t f = begin; f < end; ++f) {
 			const FaceId source = faces[f].sources[operand];
@@ -173,6 +180,11 @@ Status collectSubBlock(const Arrangement& arrangement, const SubSurfaces& surfac
                        SplitMesh& out) {
 	out = SplitMesh{};
 	Collector collector(arrangement, surfaces, blocks, monitor, out);
+	std::size_t faceCount = 0;
+	for (const SubSurfaceSide& side : at(blocks.all, block).sides) {
+		faceCount += at(surfaces.all, side.of).faceCount;
+	}
+	collector.expect(faceCount);
 	for (const SubSurfaceSide& side : at(blocks.all, block).sides) {
 		const SubSurface& surface = at(surfaces.all, side.of);
 		for (std::uint32_t i = surface.firstFace; i < surface.firstFace + surface.faceCount; ++i) {

@@ -5,8 +5,9 @@
 // with back where they do not. A surface whose two sides become one is one-sided.
 #include "sub_surfaces.h"
 
+#include "concurrent_sets.h"
+#include "huge_pages.h"
 #include "parallel.h"
-#include "union_find.h"
 #include "weld.h"
 
 #include <algorithm>
@@ -26,6 +27,7 @@ public:
 	Status run();
 
 private:
+	void uniteSidesOf(std::uint32_t face);
 	Status uniteSides();
 	Status findSmallestFaces();
 	Status numberSubSurfaces();
@@ -36,6 +38,12 @@ private:
 	BoundaryCycle trace(HalfEdgeId start, std::vector<std::uint8_t>& visited) const;
 	void beginAtSmallest(BoundaryCycle& cycle) const;
 	Status findSubSurfacesAtLoops();
+
+	// Calls body(begin, end) for ranges of n items, on all threads.
+	template <class Body>
+	Status forRanges(std::size_t n, Body&& body) {
+		return parallelFor(n, kGrain, arrangement_.options.threads, monitor_, body);
+	}
 
 	// Calls body(face) for all faces of the complex, ascending.
 	template <class Body>
@@ -58,25 +66,42 @@ private:
 	Monitor& monitor_;
 	SubSurfaces& out_;
 	const SurfaceComplex& complex_;
-	UnionFind sides_{0};                   // 2 * face: its front; 2 * face + 1: its back
+	ConcurrentSets sides_;                 // 2 * face: its front; 2 * face + 1: its back
 	std::vector<std::uint32_t> smallest_;  // per root face: the smallest of its set
 };
 
-Status Finder::uniteSides() {
-	sides_ = UnionFind(2 * complex_.faces.size());
-	const Status status = forEachFace([this](std::uint32_t face) {
-		for (std::uint32_t h = 3 * face; h < 3 * face + 3; ++h) {
-			const HalfEdgeId mate = complex_.mates[h];
-			if (mate == HalfEdgeId::none() || mate.value < h) {
-				continue;
-			}
-			const std::uint32_t a = 2 * face, b = 2 * (mate.value / 3);
-			const std::uint32_t flip = complex_.beginOf({h}) == complex_.beginOf(mate) ? 1 : 0;
-			sides_.unite(a, b + flip);
-			sides_.unite(a + 1, b + 1 - flip);
+// Unites the sides of a face with those across its edges.
+void Finder::uniteSidesOf(std::uint32_t face) {
+	for (std::uint32_t h = 3 * face; h < 3 * face + 3; ++h) {
+		const HalfEdgeId mate = complex_.mates[h];
+		if (mate == HalfEdgeId::none() || mate.value < h) {
+			continue;
 		}
+		const std::uint32_t a = 2 * face, b = 2 * (mate.value / 3);
+		const std::uint32_t flip = complex_.beginOf({h}) == complex_.beginOf(mate) ? 1 : 0;
+		sides_.unite(a, b + flip);
+		sides_.unite(a + 1, b + 1 - flip);
+	}
+}
+
+Status Finder::uniteSides() {
+	const std::size_t faceCount = complex_.faces.size();
+	sides_ = ConcurrentSets(2 * faceCount);
+	Status status = forRanges(faceCount, [this](std::size_t begin, std::size_t end) {
+		sides_.makeSets(2 * begin, 2 * end);
 	});
-	sides_.flatten();
+	if (status.ok()) {
+		status = forRanges(faceCount, [this](std::size_t begin, std::size_t end) {
+			for (std::size_t face = begin; face < end; ++face) {
+				uniteSidesOf(static_cast<std::uint32_t>(face));
+			}
+		});
+	}
+	if (status.ok()) {
+		status = forRanges(faceCount, [this](std::size_t begin, std::size_t end) {
+			sides_.flatten(2 * begin, 2 * end);
+		});
+	}
 	return status;
 }
 
@@ -104,8 +129,8 @@ Status Finder::findSmallestFaces() {
 		return std::min({arrangement_.coordinates(t[0])[0], arrangement_.coordinates(t[1])[0],
 		                 arrangement_.coordinates(t[2])[0]});
 	};
-	smallest_.assign(faceCount, kNoFace);
-	std::vector<double> least(faceCount);
+	assignHuge(smallest_, faceCount, kNoFace);
+	const auto least = makeHuge<double>(faceCount);
 	return forEachFace([&](std::uint32_t face) {
 		const std::uint32_t root = rootOf(face);
 		const double x = leftmost(face);
@@ -126,7 +151,7 @@ Status Finder::numberSubSurfaces() {
 	}
 	std::sort(order.begin(), order.end(),
 	          [this](std::uint32_t a, std::uint32_t b) { return isSmaller(a, b); });
-	std::vector<SubSurfaceId> ofRoot(complex_.faces.size());
+	const auto ofRoot = makeHuge<SubSurfaceId>(complex_.faces.size());
 	for (const std::uint32_t face : order) {
 		const SubSurfaceId id = makeId<SubSurfaceTag>(out_.all.size());
 		SubSurface surface{};
@@ -146,7 +171,7 @@ Status Finder::numberSubSurfaces() {
 		ofRoot[rootOf(face)] = id;
 		out_.all.push_back(surface);
 	}
-	out_.ofFace.resize(complex_.faces.size());
+	resizeHuge(out_.ofFace, complex_.faces.size());
 	out_.turned.resize(complex_.faces.size());
 	return forEachFace([&](std::uint32_t face) {
 		const std::uint32_t root = rootOf(face);
@@ -165,7 +190,7 @@ Status Finder::listFaces() {
 		next.push_back(first + 1);
 		first += surface.faceCount;
 	}
-	out_.faces.resize(first);
+	resizeHuge(out_.faces, first);
 	return forEachFace([&](std::uint32_t face) {
 		const SubSurfaceId id = out_.ofFace[face];
 		const bool isFirst = smallest_[rootOf(face)] == face;

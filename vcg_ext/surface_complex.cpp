@@ -5,11 +5,13 @@
 // vertex: by counting where there are many of them, else by sorting.
 #include "surface_complex.h"
 
+#include "huge_pages.h"
 #include "mesh_checks.h"
 #include "parallel.h"
 #include "self_intersecting.h"
 
 #include <algorithm>
+#include <numeric>
 
 namespace index_boolean {
 
@@ -51,7 +53,7 @@ template <class Entry, class EntryAt>
 Status sortEntries(std::size_t n, EntryAt&& entry, std::size_t vertexCount, int threads,
                    Monitor& monitor, std::vector<Entry>& out) {
 	constexpr std::size_t kFew = 8;  // entries per vertex, below which counting does not pay
-	out.resize(n);
+	resizeHuge(out, n);
 	if (n < vertexCount / kFew) {
 		for (std::size_t i = 0; i < n; ++i) {
 			out[i] = entry(i);
@@ -59,22 +61,27 @@ Status sortEntries(std::size_t n, EntryAt&& entry, std::size_t vertexCount, int 
 		std::sort(out.begin(), out.end());
 		return {};
 	}
-	std::vector<std::uint32_t> next(vertexCount + 2);  // first counts, then ends of groups
-	Status status = inOrderFor(n, kGrain, monitor, [&](std::size_t begin, std::size_t end) {
-		for (std::size_t i = begin; i < end; ++i) {
-			++next[entry(i).low.value + 2];
-		}
-	});
+	std::vector<std::uint32_t> next;  // first counts, then ends of groups
+	assignHuge(next, vertexCount + 2, 0U);
+	// Each task looks at all entries and takes those of its own vertices.
+	const std::size_t grain = vertexCount / 2 + 1;
+	const auto forEachEntry = [&](auto&& visit) {
+		return parallelFor(vertexCount, grain, threads, monitor,
+		                   [&](std::size_t begin, std::size_t end) {
+			                   for (std::size_t i = 0; i < n; ++i) {
+				                   const Entry e = entry(i);
+				                   if (e.low.value - begin < end - begin) {
+					                   visit(e);
+				                   }
+			                   }
+		                   });
+	};
+	Status status = forEachEntry([&next](const Entry& e) { ++next[e.low.value + 2]; });
 	for (std::size_t v = 0; v <= vertexCount; ++v) {
 		next[v + 1] += next[v];
 	}
 	if (status.ok()) {
-		status = inOrderFor(n, kGrain, monitor, [&](std::size_t begin, std::size_t end) {
-			for (std::size_t i = begin; i < end; ++i) {
-				const Entry e = entry(i);
-				out[next[e.low.value + 1]++] = e;
-			}
-		});
+		status = forEachEntry([&](const Entry& e) { out[next[e.low.value + 1]++] = e; });
 	}
 	if (status.ok()) {
 		status = parallelFor(vertexCount, kGrain, threads, monitor,
@@ -87,6 +94,12 @@ Status sortEntries(std::size_t n, EntryAt&& entry, std::size_t vertexCount, int 
 	return status;
 }
 
+// The edges that part the surface in one chunk.
+struct PartingEdges {
+	std::vector<PartingEdge> edges;  // `first` counts from the chunk's half-edges
+	std::vector<HalfEdgeId> halfEdges;
+};
+
 class Builder {
 public:
 	Builder(const Arrangement& arrangement, Monitor& monitor, SurfaceComplex& out)
@@ -96,14 +109,15 @@ public:
 	Status run(ComplexOf part);
 
 private:
-	void add(const Triangle& corners, FaceId source);
+	RefinedFace refinedFace(const Triangle& corners, FaceId source) const;
 	Status addUncutFaces();
 	void addPieces(ComplexOf part);
 	bool isIrregular(const Triangle& piece) const;
 	Status mergeCoincident();
 	Status merge(const FaceEntry* begin, const FaceEntry* end);
 	Status joinFaces();
-	void join(const EdgeEntry* begin, const EdgeEntry* end);
+	void join(const EdgeEntry* begin, const EdgeEntry* end, PartingEdges& parting);
+	void append(const PartingEdges& parting);
 
 	const Arrangement& arrangement_;
 	const MeshArrays& mesh_;
@@ -114,25 +128,44 @@ private:
 	std::vector<std::uint8_t> isMerged_;          // per face: into an earlier one
 };
 
-void Builder::add(const Triangle& corners, FaceId source) {
+RefinedFace Builder::refinedFace(const Triangle& corners, FaceId source) const {
 	RefinedFace face{corners, {FaceId::none(), FaceId::none()}, false};
 	face.sources[static_cast<std::size_t>(mesh_.operandOf(source))] = source;
-	out_.faces.push_back(face);
+	return face;
 }
 
+// Counts the uncut faces of each chunk, then writes them.
 Status Builder::addUncutFaces() {
-	const auto addRange = [this](std::size_t begin, std::size_t end) {
-		for (std::size_t f = begin; f < end; ++f) {
-			if (arrangement_.refinement.isCut[f] == 0) {
-				const FaceId face = makeId<FaceTag>(f);
-				if (mesh_.quietTwin(face) != Twin::None) {
-					maybeCoincident_.push_back(static_cast<std::uint32_t>(out_.faces.size()));
-				}
-				add(mesh_.triangles[f], face);
-			}
+	const std::vector<std::uint8_t>& isCut = arrangement_.refinement.isCut;
+	const std::size_t n = mesh_.triangles.size();
+	const int threads = arrangement_.options.threads;
+	std::vector<std::size_t> begins(chunkCount(n, kGrain) + 1, 0);
+	Status status = parallelForChunks(
+	    n, kGrain, threads, monitor_, [&](std::size_t chunk, std::size_t begin, std::size_t end) {
+		    const auto first = isCut.begin() + static_cast<std::ptrdiff_t>(begin);
+		    const auto last = isCut.begin() + static_cast<std::ptrdiff_t>(end);
+		    begins[chunk + 1] = static_cast<std::size_t>(std::count(first, last, 0));
+	    });
+	std::partial_sum(begins.begin(), begins.end(), begins.begin());
+	out_.faces.resize(begins.back());
+	if (status.ok()) {
+		status = parallelForChunks(n, kGrain, threads, monitor_,
+		                           [&](std::size_t chunk, std::size_t begin, std::size_t end) {
+			                           std::size_t slot = begins[chunk];
+			                           for (std::size_t f = begin; f < end; ++f) {
+				                           if (isCut[f] == 0) {
+					                           out_.faces[slot++] = refinedFace(mesh_.triangles[f],
+					                                                            makeId<FaceTag>(f));
+				                           }
+			                           }
+		                           });
+	}
+	for (std::uint32_t face = 0; face < begins.back() && !mesh_.quietFaces.empty(); ++face) {
+		if (mesh_.quietTwin(out_.faces[face].source()) != Twin::None) {
+			maybeCoincident_.push_back(face);
 		}
-	};
-	return inOrderFor(mesh_.triangles.size(), kGrain, monitor_, addRange);
+	}
+	return status;
 }
 
 bool Builder::isIrregular(const Triangle& piece) const {
@@ -149,7 +182,8 @@ void Builder::addPieces(ComplexOf part) {
 		for (std::size_t piece = refinement.cutFaces[i].firstPiece; piece < end; ++piece) {
 			if (part == ComplexOf::Everything || isIrregular(refinement.pieces[piece])) {
 				maybeCoincident_.push_back(static_cast<std::uint32_t>(out_.faces.size()));
-				add(refinement.pieces[piece], refinement.cutFaces[i].face);
+				out_.faces.push_back(
+				    refinedFace(refinement.pieces[piece], refinement.cutFaces[i].face));
 			}
 		}
 	}
@@ -214,8 +248,8 @@ Status Builder::mergeCoincident() {
 	return status;
 }
 
-// Takes the half-edges of one edge.
-void Builder::join(const EdgeEntry* begin, const EdgeEntry* end) {
+// Takes the half-edges of one edge; one that parts goes to `parting`.
+void Builder::join(const EdgeEntry* begin, const EdgeEntry* end, PartingEdges& parting) {
 	const HalfEdgeId first = begin->halfEdge;
 	if (end - begin == 2) {
 		const HalfEdgeId second = (begin + 1)->halfEdge;
@@ -225,12 +259,21 @@ void Builder::join(const EdgeEntry* begin, const EdgeEntry* end) {
 			return;
 		}
 	}
-	const auto place = static_cast<std::uint32_t>(out_.halfEdges.size());
-	out_.parting.push_back(
+	const auto place = static_cast<std::uint32_t>(parting.halfEdges.size());
+	parting.edges.push_back(
 	    {begin->low, begin->high, place, static_cast<std::uint32_t>(end - begin)});
 	for (; begin != end; ++begin) {
-		out_.halfEdges.push_back(begin->halfEdge);
+		parting.halfEdges.push_back(begin->halfEdge);
 	}
+}
+
+void Builder::append(const PartingEdges& parting) {
+	const auto before = static_cast<std::uint32_t>(out_.halfEdges.size());
+	for (PartingEdge edge : parting.edges) {
+		edge.first += before;
+		out_.parting.push_back(edge);
+	}
+	out_.halfEdges.insert(out_.halfEdges.end(), parting.halfEdges.begin(), parting.halfEdges.end());
 }
 
 Status Builder::joinFaces() {
@@ -241,29 +284,39 @@ Status Builder::joinFaces() {
 	};
 	std::vector<EdgeEntry> entries;
 	const std::size_t count = 3 * out_.faces.size();
-	const Status status =
-	    sortEntries(count, entry, vertexCount_, arrangement_.options.threads, monitor_, entries);
+	const int threads = arrangement_.options.threads;
+	Status status = sortEntries(count, entry, vertexCount_, threads, monitor_, entries);
 	if (!status.ok()) {
 		return status;
 	}
-	out_.mates.assign(count, HalfEdgeId::none());
-	std::size_t first = 0;  // entry of an edge, which may lie in several chunks
-	return inOrderFor(count, kGrain, monitor_, [&](std::size_t, std::size_t chunkEnd) {
+	assignHuge(out_.mates, count, HalfEdgeId::none());
+	std::vector<PartingEdges> parts(chunkCount(count, kGrain));
+	// A chunk takes the edges that begin in it.
+	const auto joinChunk = [&](std::size_t chunk, std::size_t begin, std::size_t chunkEnd) {
+		std::size_t first = begin;
+		while (first > 0 && first < chunkEnd && entries[first].isOn(entries[first - 1])) {
+			++first;
+		}
 		while (first < chunkEnd) {
 			std::size_t end = first + 1;
 			while (end < count && entries[end].isOn(entries[first])) {
 				++end;
 			}
-			join(&entries[first], &entries[first] + (end - first));
+			join(&entries[first], &entries[first] + (end - first), parts[chunk]);
 			first = end;
 		}
-	});
+	};
+	status = parallelForChunks(count, kGrain, threads, monitor_, joinChunk);
+	for (const PartingEdges& part : parts) {
+		append(part);
+	}
+	return status;
 }
 
 Status Builder::run(ComplexOf part) {
 	Status status;
 	if (part == ComplexOf::Everything) {
-		out_.faces.reserve(mesh_.triangles.size() + arrangement_.refinement.pieces.size());
+		reserveHuge(out_.faces, mesh_.triangles.size() + arrangement_.refinement.pieces.size());
 		status = addUncutFaces();
 	}
 	addPieces(part);

@@ -5,6 +5,8 @@
 // roots do not depend on the order of the unions.
 #pragma once
 
+#include "huge_pages.h"
+
 #include <cstdint>
 #include <numeric>
 #include <utility>
@@ -14,7 +16,8 @@ namespace index_boolean {
 
 class UnionFind {
 public:
-	explicit UnionFind(std::size_t n) : parent_(n) {
+	explicit UnionFind(std::size_t n) {
+		resizeHuge(parent_, n);
 		std::iota(parent_.begin(), parent_.end(), 0u);
 	}
 
