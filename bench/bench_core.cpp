@@ -10,6 +10,7 @@
 
 #include <vcg_ext/huge_pages.h>
 #include <vcg_ext/index_boolean.h>
+#include <vcg_ext/parallel.h>
 #include <vcg_ext/sign_counts.h>
 
 #include <CLI/CLI.hpp>
@@ -40,7 +41,10 @@ struct CommandLine {
 	std::size_t spheres = 0, cubeAndSphere = 0, twinSpheres = 0;  // faces of a sphere; 0: not asked
 	std::array<std::size_t, 2> terrain{};  // faces of the terrain and of the sheet
 	bool split = false;
-	std::uint32_t gridBoxes = 0;  // squares along a side; 0: not asked
+	std::uint32_t gridBoxes = 0;   // squares along a side; 0: not asked
+	std::uint32_t plateHoles = 0;  // prisms through the plate; 0: not asked
+	std::uint32_t smallPairs = 0;  // how many; 0: not asked
+	bool boxes = false;
 	std::string placement = "none";
 	std::array<std::vector<double>, 2> transforms;  // 12 or 16 numbers, or none
 	Operation operation = Operation::Union;
@@ -88,6 +92,13 @@ Operands makeOperands(const CommandLine& commandLine) {
 		transform({1.2, 0, 0, -0.1, 0, 1.2, 0, -0.1, 0, 0, 1, 0.01}, operands[1]);
 	} else if (commandLine.twinSpheres > 0) {
 		operands[0] = operands[1] = index_boolean_bench::makeSphere(commandLine.twinSpheres);
+	} else if (commandLine.plateHoles > 0) {
+		operands[0] = index_boolean_bench::makeCube(1.2);
+		transform({1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0.1, 0}, operands[0]);
+		operands[1] = index_boolean_bench::makePrisms(commandLine.plateHoles, 33);
+	} else if (commandLine.boxes) {
+		operands[0] = operands[1] = index_boolean_bench::makeCube(1);
+		transform(index_boolean_bench::standardRotation({0.3, 0.2, 0.1}), operands[1]);
 	} else if (commandLine.gridBoxes > 0) {
 		operands[0] = operands[1] = index_boolean_bench::makeGridBox(commandLine.gridBoxes);
 		transform({1, 0, 0, 2, 0, 1, 0, 0.0078125, 0, 0, 1, 0.01171875}, operands[1]);
@@ -152,16 +163,17 @@ MeshArrays copyIn(const Operands& operands) {
 		arrays.faceBegin[k + 1] =
 		    arrays.faceBegin[k] + static_cast<std::uint32_t>(operands[k].triangles.size());
 	}
-	reserveHuge(arrays.points, arrays.vertexBegin[2]);
-	reserveHuge(arrays.triangles, arrays.faceBegin[2]);
+	resizeHuge(arrays.points, arrays.vertexBegin[2]);
+	resizeHuge(arrays.triangles, arrays.faceBegin[2]);
 	for (std::size_t k = 0; k < 2; ++k) {
 		const std::uint32_t begin = arrays.vertexBegin[k];
-		arrays.points.insert(arrays.points.end(), operands[k].points.begin(),
-		                     operands[k].points.end());
-		for (const auto& t : operands[k].triangles) {
-			arrays.triangles.push_back(
-			    {VertexId{begin + t[0]}, VertexId{begin + t[1]}, VertexId{begin + t[2]}});
-		}
+		std::copy(operands[k].points.begin(), operands[k].points.end(),
+		          arrays.points.begin() + begin);
+		std::transform(operands[k].triangles.begin(), operands[k].triangles.end(),
+		               arrays.triangles.begin() + arrays.faceBegin[k], [begin](const auto& t) {
+			               return Triangle{VertexId{begin + t[0]}, VertexId{begin + t[1]},
+			                               VertexId{begin + t[2]}};
+		               });
 	}
 	return arrays;
 }
@@ -372,6 +384,15 @@ void addOperandOptions(CLI::App& app, CommandLine& out) {
 	                "One unit sphere of about this many faces, twice; --transform-second moves it")
 	    ->check(CLI::PositiveNumber);
 	operands
+	    .add_option("--plate", out.plateHoles,
+	                "A plate of 12 faces and this many prisms of 128 faces that go through it")
+	    ->check(CLI::PositiveNumber);
+	operands.add_flag("--boxes", out.boxes, "Two cubes of 12 faces, one turned");
+	operands
+	    .add_option("--small-pairs", out.smallPairs,
+	                "This many pairs of solids of 12 to 500 faces: the time of a call")
+	    ->check(CLI::PositiveNumber);
+	operands
 	    .add_option("--grid-boxes", out.gridBoxes,
 	                "Two cubes whose walls are cut into N x N squares, with one wall in common, "
 	                "shifted in its plane: coplanar faces that overlap")
@@ -423,13 +444,68 @@ CommandLine parse(int argc, char** argv) {
 	return out;
 }
 
+// Bytes that all threads together read and write in a second when they copy what no cache holds.
+double copySpeed(int threads) {
+	constexpr std::size_t kBytes = std::size_t{1} << 26, kGrain = std::size_t{1} << 20;
+	const std::vector<char> from(kBytes, 1);
+	std::vector<char> to(kBytes);
+	std::vector<double> seconds;
+	Monitor monitor;
+	for (int run = 0; run < 9; ++run) {
+		StopWatch watch;
+		parallelFor(kBytes, kGrain, threads, monitor, [&](std::size_t begin, std::size_t end) {
+			std::copy(from.begin() + static_cast<std::ptrdiff_t>(begin),
+			          from.begin() + static_cast<std::ptrdiff_t>(end),
+			          to.begin() + static_cast<std::ptrdiff_t>(begin));
+		});
+		seconds.push_back(watch.lap());
+	}
+	return 2 * static_cast<double>(kBytes) / median(seconds);
+}
+
+// A cube or a sphere of up to 500 faces, and a sphere across its surface, turned.
+Operands makeSmallPair(std::uint32_t number) {
+	Operands pair;
+	const std::size_t faces = 20 + 37 * number % 481;
+	pair[0] =
+	    number % 4 == 0 ? index_boolean_bench::makeCube(1) : index_boolean_bench::makeSphere(faces);
+	pair[1] = number % 8 == 0 ? pair[0] : index_boolean_bench::makeSphere(520 - faces);
+	const double shift = 0.3 + 0.001 * number;
+	transform(index_boolean_bench::standardRotation({shift, shift / 2, shift / 3}), pair[1]);
+	return pair;
+}
+
+// Each pair once to warm up, then again, timed. \return a refusal's status, else Ok
+Status measureSmallPairs(const CommandLine& commandLine, ordered_json& out) {
+	Options options;
+	options.threads = commandLine.threads;
+	std::vector<double> seconds;
+	for (std::uint32_t i = 0; i < commandLine.smallPairs; ++i) {
+		const Operands pair = makeSmallPair(i);
+		runOnce(pair, options, {commandLine.operation});
+		const Outcome outcome = runOnce(pair, options, {commandLine.operation});
+		if (!outcome.status.ok()) {
+			return outcome.status;
+		}
+		seconds.push_back(outcome.total);
+	}
+	out["pairs"] = seconds.size();
+	out["seconds"] = median(seconds);
+	out["fastest"] = *std::min_element(seconds.begin(), seconds.end());
+	out["slowest"] = *std::max_element(seconds.begin(), seconds.end());
+	return {};
+}
+
 // \return the exit status
 int run(const CommandLine& commandLine) {
-	const Operands operands = makeOperands(commandLine);
-	if (!commandLine.saveArrays.empty()) {
-		saveArrays(operands, commandLine.saveArrays);
-	}
 	ordered_json out;
+	Operands operands;
+	if (commandLine.smallPairs == 0) {
+		operands = makeOperands(commandLine);
+		if (!commandLine.saveArrays.empty()) {
+			saveArrays(operands, commandLine.saveArrays);
+		}
+	}
 	for (const Surface& surface : operands) {
 		out["operands"].push_back(
 		    {{"vertices", surface.points.size()}, {"faces", surface.triangles.size()}});
@@ -438,9 +514,14 @@ int run(const CommandLine& commandLine) {
 		out["operation"] = operationName(commandLine.operation);
 	}
 	out["threads"] = commandLine.threads > 0 ? commandLine.threads : omp_get_max_threads();
+	if (commandLine.smallPairs == 0) {
+		out["copied_bytes_per_second"] = copySpeed(commandLine.threads);
+	}
 	out["memory_before_bytes"] = residentMemory("VmRSS");
 	Status status;
-	if (commandLine.split) {
+	if (commandLine.smallPairs > 0) {
+		status = measureSmallPairs(commandLine, out["small_pairs"]);
+	} else if (commandLine.split) {
 		status = measure(commandLine, operands, {}, out["split"]);
 	} else {
 		status = measure(commandLine, operands, {commandLine.operation}, out["one_operation"]);

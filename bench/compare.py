@@ -68,6 +68,17 @@ def twin_cases(faces):
     ]
 
 
+def plate_case(holes):
+    """Two huge walls with many holes: components, and faces that are cut into many pieces."""
+    name = f"plate {{}} {holes} prisms ({holes * 0.128:.3g}k)"
+    return Case(name, "first_minus_second", ["--plate", str(holes)])
+
+
+def box_case():
+    """As small as solids get: what a call costs."""
+    return Case("box {} box (2 × 12 faces)", "first_minus_second", ["--boxes"])
+
+
 def wall_case(squares):
     """Two boxes with a wall in common: all contacts are overlaps of coplanar faces."""
     name = f"box {{}} box beside it (walls of {squares} × {squares})"
@@ -330,7 +341,8 @@ def parse_arguments():
 
 def select_cases(args):
     cases = [
-        *sphere_cases(args.spheres), *twin_cases(args.spheres // 4), wall_case(64),
+        *sphere_cases(args.spheres), *sphere_cases(4 * args.spheres)[:1],
+        *twin_cases(args.spheres // 4), wall_case(64), plate_case(100), plate_case(2500), box_case(),
         terrain_case(args.terrain),
     ]
     folder = os.environ.get("INDEXBOOLEAN_MESHES")

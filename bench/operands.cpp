@@ -199,6 +199,36 @@ Surface makeGridBox(std::uint32_t n) {
 	return box;
 }
 
+Surface makePrisms(std::uint32_t count, std::uint32_t sides) {
+	constexpr double kFullTurn = 6.283185307179586;
+	const auto perRow = static_cast<std::uint32_t>(std::ceil(std::sqrt(count)));
+	const double cell = 1.0 / perRow;
+	Surface prisms;
+	for (std::uint32_t prism = 0; prism < count; ++prism) {
+		const double x = (prism % perRow + 0.5) * cell - 0.5;
+		const double y = (prism / perRow + 0.5) * cell - 0.5;
+		const auto bottom = static_cast<std::uint32_t>(prisms.points.size());
+		const std::uint32_t top = bottom + sides;
+		for (const double z : {-1.0, 1.0}) {
+			for (std::uint32_t i = 0; i < sides; ++i) {
+				const double angle = kFullTurn * i / sides + 0.1 * prism;
+				prisms.points.push_back(
+				    {x + 0.35 * cell * std::cos(angle), y + 0.35 * cell * std::sin(angle), z});
+			}
+		}
+		for (std::uint32_t i = 0; i < sides; ++i) {
+			const std::uint32_t next = (i + 1) % sides;
+			prisms.triangles.push_back({bottom + i, bottom + next, top + next});
+			prisms.triangles.push_back({bottom + i, top + next, top + i});
+			if (i >= 2) {
+				prisms.triangles.push_back({bottom, bottom + i, bottom + i - 1});
+				prisms.triangles.push_back({top, top + i - 1, top + i});
+			}
+		}
+	}
+	return prisms;
+}
+
 void transform(const Matrix& m, Surface& surface) {
 	for (Point& p : surface.points) {
 		p = {m[0] * p[0] + m[1] * p[1] + m[2] * p[2] + m[3],

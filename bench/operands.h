@@ -43,6 +43,11 @@ Surface makeTerrain(std::size_t faces, int octaves, double height);
 // A cube of side 2 around the origin, each wall cut into n * n squares of two triangles.
 Surface makeGridBox(std::uint32_t n);
 
+// Upright prisms with regular bases of `sides` sides, each 4 * sides - 4 triangles, beside each
+// other in a square grid over the unit square around the origin; each is turned a little further
+// than the one before. From z = -1 to 1.
+Surface makePrisms(std::uint32_t count, std::uint32_t sides);
+
 void transform(const Matrix& matrix, Surface& surface);
 
 // The standard placement: the centre of the bounding box to the origin, its longest side to 1.
