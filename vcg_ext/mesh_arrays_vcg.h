@@ -8,6 +8,7 @@
 // deleted elements are left out; what is written does not depend on the number of threads.
 #pragma once
 
+#include "bounding_box.h"
 #include "huge_pages.h"
 #include "mesh_arrays.h"
 #include "mesh_checks.h"
@@ -191,12 +192,12 @@ Status appendOperand(const TriMesh& mesh,
 using IndexedTriangle = std::array<std::uint32_t, 3>;
 using IndexedEdge = std::array<std::uint32_t, 2>;
 
-// A power of two that brings the largest coordinate near 1, so that products of coordinates neither
-// overflow nor vanish; 1 if there is no coordinate but zero.
-inline double unitScale(const std::vector<Point>& points) {
+// A power of two that brings the largest coordinate in a box near 1, so that products of
+// coordinates neither overflow nor vanish; 1 if there is no coordinate but zero.
+inline double unitScale(const BoundingBox& box) {
 	double largest = 0;
-	for (const Point& p : points)
-		largest = std::max({largest, std::abs(p[0]), std::abs(p[1]), std::abs(p[2])});
+	for (std::size_t axis = 0; axis < 3; ++axis)
+		largest = std::max({largest, std::abs(box.lo[axis]), std::abs(box.hi[axis])});
 	constexpr int kSmallestExponent = -1022;  // beyond, the scale itself would overflow
 	return largest > 0 ? std::ldexp(1.0, -std::max(std::ilogb(largest), kSmallestExponent)) : 1.0;
 }
@@ -268,8 +269,15 @@ void allocateSurface(std::size_t vertexCount, std::size_t faceCount, TriMesh& ou
 template <class TriMesh>
 Status fillSurface(const std::vector<Point>& points, const std::vector<IndexedTriangle>& triangles,
                    Monitor& monitor, TriMesh& out) {
-	const double scale = unitScale(points);
-	std::vector<Point> normalSums(points.size(), Point{0, 0, 0});
+	BoundingBox box{};
+	if (!points.empty()) {
+		const Status status = findBoundingBox(points.data(), points.size(), 0, monitor, box);
+		if (!status.ok())
+			return status;
+	}
+	const double scale = unitScale(box);
+	std::vector<Point> normalSums;
+	assignHuge(normalSums, points.size(), Point{0, 0, 0});
 	const auto writeVertices = [&](std::size_t begin, std::size_t end) {
 		sumNormals(points, triangles, scale, begin, end, normalSums);
 		for (std::size_t i = begin; i < end; ++i) {
@@ -293,8 +301,10 @@ Status fillSurface(const std::vector<Point>& points, const std::vector<IndexedTr
 		}
 	};
 	out.bbox.SetNull();
-	for (const Point& p : points)
-		out.bbox.Add(toCoordinate<TriMesh>(p));
+	if (!points.empty()) {  // rounding never swaps two coordinates
+		out.bbox.Add(toCoordinate<TriMesh>(box.lo));
+		out.bbox.Add(toCoordinate<TriMesh>(box.hi));
+	}
 	return parallelFor(triangles.size(), kElementGrain, 0, monitor, writeFaces);
 }
 
