@@ -154,6 +154,77 @@ int orientationOfRounded(const ExactPoint& a, const ExactPoint& b, const ExactPo
 	return value.sign();
 }
 
+// Whether all of the points have one coordinate in common, +0 and -0 being the same.
+bool haveEqual(const Point* const* points, std::size_t count, std::size_t axis) {
+	return std::all_of(points + 1, points + count,
+	                   [&](const Point* p) { return (*p)[axis] == (*points[0])[axis]; });
+}
+
+// The corner of a point's definition that has exactly the point's coordinate along an axis, or
+// null: where an edge or a wall that it lies on is at right angles to the axis, the coordinate is
+// known without a calculation. In what is built of axis-parallel walls and edges, most are.
+const Point* cornerLevelWith(const ExactPoint& p, std::size_t axis) {
+	const auto& by = p.by;
+	const auto levelOf = [&](std::size_t first, std::size_t count) {
+		return haveEqual(&by[first], count, axis) ? by[first] : nullptr;
+	};
+	switch (p.form) {
+	case ExactPoint::Form::Explicit:
+		return by[0];
+	case ExactPoint::Form::LinePlane:
+		return levelOf(0, 2) != nullptr ? by[0] : levelOf(2, 3);
+	case ExactPoint::Form::LineLine:
+		// Along its axis the second line need not meet the first.
+		return levelOf(0, 2) != nullptr || axis == p.axis ? levelOf(0, 2) : levelOf(2, 2);
+	case ExactPoint::Form::ThreePlanes:
+		for (const std::size_t plane : {0, 3, 6}) {
+			if (const Point* corner = levelOf(plane, 3))
+				return corner;
+		}
+	}
+	return nullptr;
+}
+
+// Whether a point's rounded coordinates in the projection along an axis are exactly its own.
+bool isKnown(const ExactPoint& p, int axis) {
+	return cornerLevelWith(p, static_cast<std::size_t>(nextCorner(axis))) != nullptr &&
+	       cornerLevelWith(p, static_cast<std::size_t>(previousCorner(axis))) != nullptr;
+}
+
+// Whether a point lies strictly inside the edge by[0] by[1].
+bool isInsideEdge(const ExactPoint& p) {
+	const auto& by = p.by;
+	if (p.form == ExactPoint::Form::LinePlane)
+		return orient3d(*by[2], *by[3], *by[4], *by[0]) * orient3d(*by[2], *by[3], *by[4], *by[1]) <
+		       0;
+	return p.form == ExactPoint::Form::LineLine &&
+	       orient2d(*by[2], *by[3], *by[0], p.axis) * orient2d(*by[2], *by[3], *by[1], p.axis) < 0;
+}
+
+// The orientation of two known points and one inside an edge: that of the edge's ends, if these lie
+// on one side or on the line itself; else kUnknownSign. So points that an edge and the curve on it
+// project to one line are told to be collinear at once.
+int orientationByEnds(const ExactPoint& a, const ExactPoint& b, const ExactPoint& inside,
+                      int axis) {
+	const int first = orient2d(a.rounded, b.rounded, *inside.by[0], axis);
+	const int second = orient2d(a.rounded, b.rounded, *inside.by[1], axis);
+	if (first * second < 0 || !isInsideEdge(inside))
+		return kUnknownSign;
+	return first != 0 ? first : second;
+}
+
+// The orientation as far as coordinates that are known exactly tell it, else kUnknownSign.
+int orientationOfKnown(const ExactPoint& a, const ExactPoint& b, const ExactPoint& c, int axis) {
+	const bool knowsA = isKnown(a, axis), knowsB = isKnown(b, axis), knowsC = isKnown(c, axis);
+	if (knowsA && knowsB && knowsC)
+		return orient2d(a.rounded, b.rounded, c.rounded, axis);
+	if (knowsA && knowsB)
+		return orientationByEnds(a, b, c, axis);
+	if (knowsB && knowsC)
+		return orientationByEnds(b, c, a, axis);
+	return knowsA && knowsC ? orientationByEnds(c, a, b, axis) : kUnknownSign;
+}
+
 ExactPoint make(ExactPoint::Form form, int axis) {
 	ExactPoint p;
 	p.form = form;
@@ -282,10 +353,22 @@ void roundPoint(ExactPoint& p) {
 		p.rounded = *p.by[0];
 		return;
 	}
-	const Quotient<BoundedPair> approximate = quotient<BoundedPair>(p);
-	const Point& base = *approximate.base;
 	std::array<bool, 3> certain{};
 	for (std::size_t k = 0; k < 3; ++k) {
+		if (const Point* corner = cornerLevelWith(p, k)) {
+			p.rounded[k] = (*corner)[k] + 0.0;  // one zero, whichever way it is found
+			certain[k] = true;
+		}
+	}
+	if (certain[0] && certain[1] && certain[2]) {
+		countSign(Predicate::Rounding, DecidedBy::Double);
+		return;
+	}
+	const Quotient<BoundedPair> approximate = quotient<BoundedPair>(p);
+	const Point& base = *approximate.base;
+	for (std::size_t k = 0; k < 3; ++k) {
+		if (certain[k])
+			continue;
 		const BoundedPair offset = approximate.numerator[k] / approximate.denominator;
 		certain[k] = certainSum(base[k], offset, p.rounded[k]);
 	}
@@ -294,12 +377,14 @@ void roundPoint(ExactPoint& p) {
 	if (!allCertain) {
 		const Quotient<Dyadic> exact = quotient<Dyadic>(p);
 		for (std::size_t k = 0; k < 3; ++k) {
+			if (certain[k])
+				continue;
 			const Dyadic numerator = Dyadic(base[k]) * exact.denominator + exact.numerator[k];
 			p.rounded[k] = roundedQuotient(numerator, exact.denominator);
 		}
 	}
 	for (double& coordinate : p.rounded) {
-		coordinate += 0.0;  // one zero, whichever way it was found
+		coordinate += 0.0;
 	}
 }
 
@@ -310,7 +395,8 @@ int compareCoordinate(const ExactPoint& a, const ExactPoint& b, int axis) {
 		countSign(Predicate::CurveOrder, DecidedBy::Double);
 		return a.rounded[k] < b.rounded[k] ? -1 : 1;
 	}
-	if (a.form == ExactPoint::Form::Explicit && b.form == ExactPoint::Form::Explicit) {
+	if (cornerLevelWith(a, k) != nullptr && cornerLevelWith(b, k) != nullptr) {
+		countSign(Predicate::CurveOrder, DecidedBy::Double);
 		return 0;
 	}
 	const Point& origin = *a.by[0];
@@ -327,6 +413,9 @@ int orient2d(const ExactPoint& a, const ExactPoint& b, const ExactPoint& c, int 
 	if (const int sign = orientationOfRounded(a, b, c, axis); sign != kUnknownSign) {
 		countSign(Predicate::CurveOrient2d, DecidedBy::Double);
 		return sign;
+	}
+	if (const int sign = orientationOfKnown(a, b, c, axis); sign != kUnknownSign) {
+		return sign;  // counted as one of input points
 	}
 	return decideSign(Predicate::CurveOrient2d, [&](auto tag) {
 		return homogeneousOrientation<typename decltype(tag)::Type>(a, b, c, axis);
