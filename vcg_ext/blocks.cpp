@@ -171,12 +171,16 @@ void Collector::visitKeptPieces(Visit&& visit) const {
 	}
 }
 
-// The vertices on the other operand that kept faces use, in the order of their ids.
+// The vertices on the other operand that kept faces use, in the order of their ids: input vertices,
+// which are few, sorted; points of the curve marked.
 std::vector<VertexId> Collector::keptOnOther() const {
 	std::vector<VertexId> used;
+	std::vector<std::uint8_t> isUsed(arrangement_.curve.pointCount(), 0);
 	const auto use = [&](const Triangle& t) {
 		for (const VertexId v : t) {
-			if (arrangement_.isOnOther(v)) {
+			if (arrangement_.isCurvePoint(v)) {
+				at(isUsed, arrangement_.pointOf(v)) = 1;
+			} else if (arrangement_.isOnOther(v)) {
 				used.push_back(v);
 			}
 		}
@@ -189,6 +193,11 @@ std::vector<VertexId> Collector::keptOnOther() const {
 	}
 	std::sort(used.begin(), used.end());
 	used.erase(std::unique(used.begin(), used.end()), used.end());
+	for (std::uint32_t p = 0; p < isUsed.size(); ++p) {
+		if (isUsed[p] != 0) {
+			used.push_back(arrangement_.vertexOf({p}));
+		}
+	}
 	return used;
 }
 
