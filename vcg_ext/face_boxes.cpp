@@ -202,6 +202,12 @@ private:
 // The larger operand's faces are looked at once, the smaller one's twice: to mark its cells, and
 // against the cells of the larger one's faces that are left.
 Status collectNearBoxes(const FrameMesh& faces, FaceBoxes& out) {
+	constexpr std::size_t kFew = 2048;  // faces, below which clearing the grids costs more
+	if (faces.faceCount(0) + faces.faceCount(1) < kFew) {
+		const auto keepAll = [](const FaceBox&) { return true; };
+		const Status status = faces.collectBoxes(0, keepAll, out.operand[0]);
+		return status.ok() ? faces.collectBoxes(1, keepAll, out.operand[1]) : status;
+	}
 	const std::size_t small = faces.faceCount(0) <= faces.faceCount(1) ? 0 : 1;
 	const std::size_t large = 1 - small;
 	CellGrid ofSmall(out.halfSize);
