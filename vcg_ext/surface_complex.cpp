@@ -69,6 +69,9 @@ Status sortEntries(std::size_t n, EntryAt&& entry, std::size_t vertexCount, int 
 		return parallelFor(vertexCount, grain, threads, monitor,
 		                   [&](std::size_t begin, std::size_t end) {
 			                   for (std::size_t i = 0; i < n; ++i) {
+				                   if (i % kGrain == 0 && pollCancelled(monitor)) {
+					                   return;
+				                   }
 				                   const Entry e = entry(i);
 				                   if (e.low.value - begin < end - begin) {
 					                   visit(e);
