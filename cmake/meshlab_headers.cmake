@@ -6,14 +6,17 @@
 # variable, else what tools/fetch_headers fetches; out: the targets a plugin is built with, or a
 # STATUS sentence that says what is missing.
 #   meshlab::headers  vcglib of MeshLab 2025.07 and Eigen, as system headers
-#   meshlab::<host>   MeshLab's src/common, its vcglib, Eigen, Qt, the host's version and scalar, and a
-#                     stub of the host's library
+#   meshlab::<host>   MeshLab's src/common, its vcglib, Eigen, Qt, the host's version and scalar, and
+#                     the host's library: MESHLAB_COMMON_LIBRARY, or what stands in for it
 set(INDEXBOOLEAN_HOSTS pymeshlab CACHE STRING
 	"What to build the plugin for, a list of: pymeshlab meshlab-2025.07 meshlab-2020.09")
 set(MESHLAB_SOURCE_DIR "$ENV{MESHLAB_SOURCE_DIR}" CACHE PATH
 	"MeshLab 2025.07 source tree with its vcglib; empty: fetched from Debian's source package")
 set(MESHLAB_2020_09_SOURCE_DIR "$ENV{MESHLAB_2020_09_SOURCE_DIR}" CACHE PATH
 	"MeshLab 2020.09 source tree with its vcglib; empty: fetched from Debian's source package")
+set(MESHLAB_COMMON_LIBRARY "" CACHE FILEPATH
+	"MeshLab's own meshlab-common to link with (its import library on Windows); empty: a stub, which \
+Windows has not")
 
 # host: MeshLab's version, its scalar, the folder of filter_indexboolean/ with the adapter
 set(host_pymeshlab 2025.07 double meshlab_2025_07)
@@ -67,14 +70,25 @@ function(add_meshlab_headers version variable)
 		"${meshlab_dir}/src" "${vcglib_${version}}" "${EIGEN_INCLUDE_DIR}")
 endfunction()
 
-# An empty library of the host's name. The plugin's undefined symbols are found at load time in the
-# host's own copy, so that one build serves every host of its version.
-function(add_meshlab_stub)
-	set(empty "${CMAKE_CURRENT_BINARY_DIR}/meshlab_stub.cpp")
-	file(CONFIGURE OUTPUT "${empty}" CONTENT "")
-	add_library(meshlab_common_stub SHARED "${empty}")
-	set_target_properties(meshlab_common_stub PROPERTIES OUTPUT_NAME meshlab-common
-		LIBRARY_OUTPUT_DIRECTORY "${CMAKE_CURRENT_BINARY_DIR}/meshlab_stub")
+# The target meshlab_common: the host's own library if that is given. Else the plugin's undefined
+# symbols are found at load time in the host's own copy, so that one build serves every host of its
+# version: by an empty library of the same name, on macOS by the linker's leave.
+function(add_meshlab_common)
+	add_library(meshlab_common INTERFACE)
+	if(MESHLAB_COMMON_LIBRARY)
+		target_link_libraries(meshlab_common INTERFACE "${MESHLAB_COMMON_LIBRARY}")
+	elseif(APPLE)
+		target_link_options(meshlab_common INTERFACE LINKER:-undefined,dynamic_lookup)
+	else()
+		set(empty "${CMAKE_CURRENT_BINARY_DIR}/meshlab_stub.cpp")
+		file(CONFIGURE OUTPUT "${empty}" CONTENT "")
+		add_library(meshlab_common_stub SHARED "${empty}")
+		set_target_properties(meshlab_common_stub PROPERTIES OUTPUT_NAME meshlab-common
+			LIBRARY_OUTPUT_DIRECTORY "${CMAKE_CURRENT_BINARY_DIR}/meshlab_stub")
+		target_link_libraries(meshlab_common INTERFACE meshlab_common_stub)
+		target_link_options(meshlab_common INTERFACE
+			LINKER:--no-as-needed LINKER:-z,undefs LINKER:--allow-shlib-undefined)
+	endif()
 endfunction()
 
 function(add_meshlab_host host)
@@ -85,9 +99,7 @@ function(add_meshlab_host host)
 	target_compile_definitions(meshlab-host-${host} INTERFACE
 		MESHLAB_VERSION=${version} MESHLAB_SCALAR=${scalar})
 	target_link_libraries(meshlab-host-${host} INTERFACE meshlab-headers-${version}
-		meshlab_common_stub Qt5::Core Qt5::Gui Qt5::Widgets Qt5::OpenGL Qt5::Xml)
-	target_link_options(meshlab-host-${host} INTERFACE
-		LINKER:--no-as-needed LINKER:-z,undefs LINKER:--allow-shlib-undefined)
+		meshlab_common Qt5::Core Qt5::Gui Qt5::Widgets Qt5::OpenGL Qt5::Xml)
 endfunction()
 
 function(find_meshlab_headers)
@@ -105,7 +117,12 @@ function(find_meshlab_headers)
 			"libglew-dev)")
 		return()
 	endif()
-	add_meshlab_stub()
+	if(WIN32 AND NOT MESHLAB_COMMON_LIBRARY)
+		message(STATUS "Windows links plugins with MeshLab's own import library: set "
+			"MESHLAB_COMMON_LIBRARY to the meshlab-common.lib of a MeshLab build")
+		return()
+	endif()
+	add_meshlab_common()
 	foreach(host IN LISTS INDEXBOOLEAN_HOSTS)
 		if(NOT DEFINED host_${host})
 			message(FATAL_ERROR "INDEXBOOLEAN_HOSTS: there is no host \"${host}\"")

@@ -1,9 +1,11 @@
 # SPDX-FileCopyrightText: 2026 The Index Boolean authors
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""render_figures.py [NAME...]: the pictures of docs/paper_figures.md, docs/figure_NAME.png.
+"""render_figures.py [NAME...]: the pictures of docs/paper_figures.md, docs/figure_NAME.png, and
+those of the filters' pages, docs/split.png and docs/curves.png.
 
 Each shows the two operands with their loops, then the sub-surfaces of each, then the sub-blocks,
-pulled apart. Those of other people's meshes need the folder that INDEXBOOLEAN_MESHES names.
+pulled apart; that of the curves the operands, then their lines. Those of other people's meshes need
+the folder that INDEXBOOLEAN_MESHES names.
 """
 
 import os
@@ -19,6 +21,8 @@ ROOT = pathlib.Path(__file__).resolve().parents[1]
 sys.path.append(str(ROOT / "tests" / "python"))
 
 import paper_figures  # noqa: E402
+from open_shapes import bumpy_sheet  # noqa: E402
+from sample_catalogue import sample  # noqa: E402
 
 FIRST_COLOUR, SECOND_COLOUR = (0.30, 0.54, 0.78), (0.96, 0.64, 0.24)
 LOOP_COLOURS = ("black", (0.9, 0.0, 0.1), (0.85, 0.0, 0.75))  # open, hard-closed, soft-closed
@@ -33,6 +37,13 @@ VIEWS = {
     "lion": ((0.95, 0.45, 0.3), (0, 0, 1), 0.3, 0.95),
     "cylinders": ((0.8, 0.9, 0.7), (0, 0, 1), 0.4, 1.1),
     "tori": ((1.0, 0.6, 0.65), (0, 0, 1), 0.4, 1.1),
+    "split": ((0.55, -1.0, 0.45), (0, 0, 1), 0.35, 0.95),
+    "curves": ((1.0, 0.35, 0.55), (0, 0, 1), 0, 1.5),
+}
+# The pages' own pairs; all others are the paper's.
+PAIRS = {
+    "split": lambda: (sample("statue"), bumpy_sheet((0.15, -0.1, 1), 1.2, 0.8, bump=0.015)),
+    "curves": lambda: (sample("bumpy_sphere"), sample("ribbed_torus")),
 }
 ATTRIBUTIONS = {
     "falcon": "Falcon statue: colinfizgig, odedstein-meshes, CC BY-NC-SA 4.0",
@@ -98,8 +109,31 @@ def show(plotter, column, title, view, contents):
     plotter.camera.zoom(zoom)
 
 
-def draw(name, path):
-    pair = paper_figures.FIGURES[name][2]()
+def draw_curves(name, path):
+    """Before: the operands; after: the lines in which they meet, by kind."""
+    pair, view = PAIRS[name](), VIEWS[name]
+    mesh_set, _ = paper_figures.split(*pair)
+    curves = mesh_set.generate_index_boolean_curves(first_mesh=0, second_mesh=1)
+    plotter = pv.Plotter(shape=(1, 2), off_screen=True, border=False, window_size=(1000, 440))
+
+    def operands():
+        for mesh, colour in zip(pair, (FIRST_COLOUR, SECOND_COLOUR)):
+            plotter.add_mesh(surface_of(*mesh), color=colour, **LOOK)
+
+    def lines():
+        for mesh in pair:  # unseen, so that both panels show the same part of space
+            plotter.add_mesh(surface_of(*mesh), opacity=0)
+        add_loops(plotter, mesh_set, curves, 4)
+
+    loops = sum(curves[f"loops_{kind}"] for kind in ("open", "hard_closed", "soft_closed"))
+    show(plotter, 0, "before: A and B", view, operands)
+    show(plotter, 1, f"after: their {loops} loops", view, lines)
+    plotter.enable_anti_aliasing("ssaa", all_renderers=True)
+    plotter.screenshot(path)
+
+
+def draw_pieces(name, path):
+    pair = (PAIRS[name] if name in PAIRS else paper_figures.FIGURES[name][2])()
     view = VIEWS[name]
     mesh_set, result = paper_figures.split(*pair, separate_layers=True)
     curves = mesh_set.generate_index_boolean_curves(first_mesh=0, second_mesh=1)
@@ -135,7 +169,9 @@ def draw(name, path):
 
 def main(names):
     for name in names or VIEWS:
-        draw(name, ROOT / "docs" / f"figure_{name}.png")
+        file = f"{name}.png" if name in PAIRS else f"figure_{name}.png"
+        draw = draw_curves if name == "curves" else draw_pieces
+        draw(name, ROOT / "docs" / file)
 
 
 if __name__ == "__main__":

@@ -16,6 +16,7 @@ import re
 import sys
 import threading
 
+_C_LIBRARY = ctypes.CDLL("ucrtbase" if os.name == "nt" else None)
 _PROGRESS = re.compile(r"LOG: \d+ (?P<stage>.*?)\s*\[ *(?P<percent>\d+)% \]$")
 _MESSAGE = re.compile(r"LOG: \d+ (?P<text>.+)$")
 
@@ -34,7 +35,7 @@ def host_call(call, on_progress):
         except BaseException as error:  # handed over to the thread that waits
             outcome["error"] = error
         finally:
-            ctypes.CDLL(None).fflush(None)  # while the host's own prints still go elsewhere
+            _C_LIBRARY.fflush(None)  # while the host's own prints still go elsewhere
             end_of_output()
 
     messages = []

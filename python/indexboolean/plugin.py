@@ -3,6 +3,7 @@
 """Where the plugin is, and how pymeshlab comes to know it."""
 
 import importlib.metadata
+import os
 import pathlib
 
 # The host loads plugins that were built for its own version and scalar only.
@@ -18,7 +19,8 @@ class HostError(ImportError):
 
 def plugin_path():
     """The plugin's file as a string, for pymeshlab.load_plugin or MeshLab's plugin dialog."""
-    return str(pathlib.Path(__file__).with_name("libfilter_indexboolean.so"))
+    name = "filter_indexboolean.dll" if os.name == "nt" else "libfilter_indexboolean.so"
+    return str(pathlib.Path(__file__).with_name(name))
 
 
 def load_plugin():

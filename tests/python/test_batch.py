@@ -9,7 +9,6 @@ import signal
 import subprocess
 import sys
 
-import numpy
 import pymeshlab
 import pytest
 

@@ -1,8 +1,9 @@
 # SPDX-FileCopyrightText: 2026 The Index Boolean authors
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What the documents claim of the code: stages in order, links and commands that exist."""
+"""What the documents claim of the code: stages in order, links that exist, programs that run."""
 
 import re
+import shlex
 import subprocess
 import sys
 from pathlib import Path
@@ -10,7 +11,11 @@ from pathlib import Path
 import pytest
 
 ROOT = Path(__file__).resolve().parents[2]
-PAGES = [ROOT / "README.md", *sorted((ROOT / "docs").glob("*.md"))]
+PAGES = [*sorted(ROOT.glob("*.md")), *sorted((ROOT / "docs").glob("*.md"))]
+SAMPLES = ROOT / "sample_meshes"
+sys.path.append(str(ROOT / "tools"))
+
+import readme_benchmark  # noqa: E402
 
 
 def stage_table():
@@ -30,6 +35,17 @@ def test_every_stage_is_a_file_pair():
     for _, name in stage_table():
         assert (ROOT / "vcg_ext" / f"{name}.h").is_file(), name
         assert (ROOT / "vcg_ext" / f"{name}.cpp").is_file(), name
+
+
+def test_dataFlowHasEveryStageAndNoOther():
+    source = (ROOT / "docs" / "data_flow.dot").read_text()
+    drawn = re.findall(r"<title>(\w+)</title>", (ROOT / "docs" / "data_flow.svg").read_text())
+    materials = {"layers", "solids", "pieces", "lines"}
+    stages = {stage for stage, _ in stage_table()}
+    assert {name for name in drawn if not name.startswith(("cluster", "data_flow"))} == (
+        stages | materials
+    )
+    assert all(re.search(rf"\b{name}\b", source) for name in drawn)
 
 
 @pytest.mark.parametrize("page", PAGES, ids=lambda page: page.name)
@@ -55,15 +71,89 @@ def test_picturesAreSmall():
     assert pictures and all(picture.stat().st_size < 300_000 for picture in pictures)
 
 
-def test_readmeExampleRuns(tmp_path):
-    code = (ROOT / "README.md").read_text().split("```python\n")[1].split("```")[0]
-    (tmp_path / "sample_meshes").symlink_to(ROOT / "sample_meshes")
-    (tmp_path / "out").mkdir()
+def test_readmeShowsAnExtractOfTheBenchmark():
+    readme = (ROOT / "README.md").read_text(encoding="utf-8")
+    assert readme == readme_benchmark.readme_with_extract(), "run tools/readme_benchmark.py"
+
+
+def run_program(code, folder):
+    """What a program of a page prints, in a folder as the page asks for."""
+    (folder / "sample_meshes").symlink_to(SAMPLES)
+    (folder / "out").mkdir()
     done = subprocess.run(
-        [sys.executable, "-c", code], cwd=tmp_path, capture_output=True, text=True, timeout=120
+        [sys.executable, "-c", code], cwd=folder, capture_output=True, text=True, timeout=120
     )
     assert done.returncode == 0, done.stderr
-    volume, residual = done.stdout.split()[-2:]
+    return done.stdout
+
+
+def test_readmeExampleRuns(tmp_path):
+    code = (ROOT / "README.md").read_text().split("```python\n")[1].split("```")[0]
+    volume, residual = run_program(code, tmp_path).split()[-2:]
     assert float(volume) == pytest.approx(3.151693102184, rel=1e-11)
     assert float(residual) < 1e-12
     assert (tmp_path / "out" / "difference.ply").stat().st_size > 0
+
+
+def recipes():
+    """(heading, program, what it prints) of each recipe of the cookbook."""
+    sections = (ROOT / "docs" / "cookbook.md").read_text().split("\n## ")[1:]
+    for section in sections:
+        code = section.split("```python\n")[1].split("```")[0]
+        printed = section.split("```text\n")[1].split("```")[0]
+        yield pytest.param(code, printed, id=section.splitlines()[0].replace(" ", "_"))
+
+
+@pytest.mark.parametrize("code, printed", list(recipes()))
+def test_recipesPrintWhatTheySay(code, printed, tmp_path):
+    assert run_program(code, tmp_path) == printed
+
+
+def commands():
+    """Each command line of this package on the pages, but for those that need a cluster."""
+    lines = {}
+    for page in PAGES:
+        for line in re.findall(r"^ {4}(python -m indexboolean .*)$", page.read_text(), re.M):
+            if "--scheduler" not in line:
+                lines.setdefault(line, page.name)
+    return lines
+
+
+@pytest.mark.parametrize("line", list(commands()))
+def test_commandsOnThePagesRun(line, tmp_path):
+    for name, sample in (
+        ("A.ply", "wide_cylinder"), ("B.ply", "narrow_cylinder"), ("statue.ply", "statue"),
+        ("sheet.ply", "wavy_cutter"),
+    ):
+        (tmp_path / name).symlink_to(SAMPLES / f"{sample}.ply")
+    write_stl(SAMPLES / "narrow_cylinder.ply", tmp_path / "B.stl")
+    (tmp_path / "JOBS.csv").write_text("first,second\nA.ply,B.ply\n")
+    words = shlex.split(line.replace("DIR", "out"))[1:]
+    done = subprocess.run(
+        [sys.executable, *words], cwd=tmp_path, capture_output=True, text=True, timeout=120
+    )
+    assert done.returncode == 0, done.stderr
+    assert any((tmp_path / "out").iterdir())
+
+
+def write_stl(source, path):
+    import pymeshlab
+
+    meshes = pymeshlab.MeshSet()
+    meshes.load_new_mesh(str(source))
+    meshes.save_current_mesh(str(path))
+
+
+def test_exampleTableOfTheBatchPageRuns(tmp_path):
+    table = (ROOT / "docs" / "batch.md").read_text().split("```text\n")[1].split("```")[0]
+    for sample in SAMPLES.glob("*.ply"):
+        (tmp_path / sample.name).symlink_to(sample)
+    (tmp_path / "JOBS.csv").write_text(table)
+    done = subprocess.run(
+        [sys.executable, "-m", "indexboolean", "batch", "JOBS.csv", "-o", "out"],
+        cwd=tmp_path, capture_output=True, text=True, timeout=120,
+    )
+    assert done.returncode == 0, done.stderr
+    assert {path.name for path in (tmp_path / "out").iterdir()} == {
+        "as they are", "moved", "a hole", "results.csv",
+    }
