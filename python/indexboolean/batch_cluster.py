@@ -77,8 +77,10 @@ def _outcome_of(future):
             return future.result()
         except (concurrent.futures.CancelledError, OSError) as error:
             raise lost from error
-    # The worker itself was lost, time and again, or cannot run this package.
     error = future.exception()
+    if isinstance(error, HostError):  # on that worker
+        return {"status": "failed", "message": str(error), "seconds": ""}
+    # The worker itself was lost, time and again, or cannot run this package.
     return {"status": "crashed", "message": f"{type(error).__name__}: {error}", "seconds": ""}
 
 

@@ -23,7 +23,7 @@ from .batch_pool import available_cores, outcomes_on_this_machine
 from .batch_process import Limits
 from .batch_table import TableError, read_table
 from .boolean_job import BLOCKS
-from .plugin import HostError, load_plugin
+from .plugin import HostError
 from .printed_table import new_table
 
 _RESULTS_EVERY = 2.0  # seconds
@@ -62,7 +62,6 @@ def _outcomes(options, jobs):
         from .batch_cluster import outcomes_on_cluster
 
         return outcomes_on_cluster(options.scheduler, jobs, limits)
-    load_plugin()  # what hinders one job hinders all: told once, at once
     return outcomes_on_this_machine(jobs, options.workers or available_cores(), limits)
 
 

@@ -8,6 +8,7 @@ that the job is finished. Guarantee: a record speaks of files that are complete 
 running a job that has its record does nothing.
 """
 
+import concurrent.futures
 import hashlib
 import importlib.metadata
 import json
@@ -130,11 +131,11 @@ def _publish(new, folder, record):
     folder.mkdir(exist_ok=True)
     for stale in {_RECORD} | (_FILES - set(names)):
         (folder / stale).unlink(missing_ok=True)
+    with concurrent.futures.ThreadPoolExecutor(len(names) + 1) as threads:
+        list(threads.map(_onto_disk, new.iterdir()))  # together: one write of the disk's journal
     for name in names:
-        _onto_disk(new / name)
         os.replace(new / name, folder / name)
     _onto_disk(folder)
-    _onto_disk(new / _RECORD)
     os.replace(new / _RECORD, folder / _RECORD)
     _onto_disk(folder)
 

@@ -18,6 +18,8 @@ import threading
 import time
 from typing import Optional
 
+from .plugin import HostError
+
 _START_SECONDS = 120.0  # for the interpreter and the host, from a slow disk, say
 
 
@@ -43,11 +45,16 @@ class JobProcess:
         self._lock = threading.Lock()
 
     def run(self, job):
-        """The job's outcome, as run_job's, or with the status crashed or timed_out."""
+        """The job's outcome, as run_job's, or with the status crashed or timed_out.
+
+        Raises HostError if the process finds no host: then no job can be done here.
+        """
         start = time.monotonic()
         outcome = self._start() or self._ask(job)
-        if outcome["status"] not in ("done", "refused"):
-            self._end()  # whatever happened to it, the next job has a fresh one
+        if outcome["status"] != "done":
+            # The next job has a fresh one: whatever happened to this one, and because pymeshlab
+            # goes on logging to the document of a call that has thrown when that is gone.
+            self._end()
         return {"seconds": time.monotonic() - start, **outcome}
 
     def close(self):
@@ -81,6 +88,8 @@ class JobProcess:
                 target=_read_lines, args=(self._process.stdout, self._answers), daemon=True
             ).start()
         ready = self._answer(_START_SECONDS)
+        if ready["status"] == "no_host":
+            raise HostError(ready["message"])
         return None if ready["status"] == "ready" else ready
 
     def _ask(self, job):

@@ -52,7 +52,7 @@ def _ready():
     try:
         load_plugin()
     except HostError as error:
-        return {"status": "failed", "message": str(error)}
+        return {"status": "no_host", "message": str(error)}
     return {"status": "ready"}
 
 

@@ -123,6 +123,16 @@ def test_jobsThatFailAreRowsAndTheOthersGoOn(tmp_path):
     assert statuses(folder)["absent"] == "done"
 
 
+def test_jobsAfterRefusedOnesAreDone(tmp_path):
+    vertices, faces = box((0, 0, 0), (1, 1, 1))
+    saved(tmp_path / "open.ply", (vertices, faces[1:]))
+    pairs = [("open.ply", PAIR[0]), PAIR] * 8
+    rows = [(*pair, f"{number}") for number, pair in enumerate(pairs)]
+    table, folder = write_table(tmp_path / "jobs.csv", rows), tmp_path / "out"
+    run(table, folder, "--workers", "1")
+    assert list(statuses(folder).values()) == ["refused", "done"] * 8
+
+
 def test_killedProcessIsTheLossOfItsOwnJobAlone(tmp_path):
     rows = [(tmp_path / "endless.ply", PAIR[0], "killed"), *((*PAIR, str(n)) for n in range(3))]
     table, folder = write_table(tmp_path / "jobs.csv", rows), tmp_path / "out"
@@ -195,6 +205,17 @@ def test_batchThatIsKilledLeavesNoProcessAndLosesNoFinishedJob(tmp_path):
     again = run(table, folder)
     assert again.returncode == 3 and "1 of 2 jobs are finished already" in again.stderr
     assert statuses(folder) == {"before": "done", "hangs": "failed"}
+
+
+def test_absentHostIsToldOnce(tmp_path):
+    (tmp_path / "pymeshlab.py").write_text("raise ImportError('libGL.so.1: no such file')\n")
+    done = run(
+        table_of_copies(tmp_path / "jobs.csv", 3), tmp_path / "out",
+        env={**os.environ, "PYTHONPATH": str(tmp_path)},
+    )
+    assert done.returncode == 1
+    assert done.stderr.count("cannot be imported: libGL.so.1") == 1
+    assert "Traceback" not in done.stderr
 
 
 def test_terminalSeesABar(tmp_path):
