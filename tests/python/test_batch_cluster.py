@@ -26,6 +26,7 @@ def cluster():
 
 def worker_pids(cluster):
     with distributed.Client(cluster) as client:
+        client.wait_for_workers(2, timeout=60)  # one that was killed is on its way back
         return list(client.run(os.getpid).values())
 
 
