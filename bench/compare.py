@@ -342,8 +342,8 @@ def parse_arguments():
 def select_cases(args):
     cases = [
         *sphere_cases(args.spheres), *sphere_cases(4 * args.spheres)[:1],
-        *twin_cases(args.spheres // 4), wall_case(64), plate_case(100), plate_case(2500), box_case(),
-        terrain_case(args.terrain),
+        *twin_cases(args.spheres // 4), wall_case(64), plate_case(100), plate_case(2500),
+        box_case(), terrain_case(args.terrain),
     ]
     folder = os.environ.get("INDEXBOOLEAN_MESHES")
     if folder:
