@@ -187,6 +187,7 @@ struct Arrangement {
 	Polygons polygons;
 	std::vector<std::uint32_t> faceGiven;  // per face: its index in the operand as given; see below
 	std::vector<VertexId> nonManifold;     // at which an operand is no manifold; ascending
+	std::array<bool, 2> seams{};           // vertices of the operand in one place have become one
 	std::array<bool, 2> closed{};          // each edge of the operand has as many faces each way
 	std::array<bool, 2> turned{};  // the operand is closed and was given inside out; for blocks it
 	                               // has been turned

@@ -8,6 +8,7 @@
 
 #include "arrangement.h"
 #include "monitor.h"
+#include "sourced_mesh.h"
 #include "status.h"
 
 namespace index_boolean {
@@ -24,24 +25,10 @@ constexpr int kOperationCount = 5;
 // "union", "intersection", "first_minus_second", "second_minus_first", "symmetric_difference".
 const char* operationName(Operation operation);
 
-// Where a face of a block came from: the input face it is or is a piece of, and whether the block
-// turned it over.
-struct FaceSource {
-	FaceId face;
-	bool turned;
-};
-
-// The boundary of a solid. Arrays are parallel: points with vertexSource, triangles with
-// faceSource. Triangles index `points`. A vertexSource is an input vertex or a curve point, or
-// none() for the middle of an edge along which the block met itself.
-struct Block {
+// The boundary of a solid. A vertexSource is none() for the middle of an edge along which the block
+// met itself.
+struct Block : SourcedMesh {
 	Operation operation = Operation::Union;
-	std::vector<Point> points;
-	std::vector<VertexId> vertexSource;
-	std::vector<std::array<std::uint32_t, 3>> triangles;
-	std::vector<FaceSource> faceSource;
-	std::vector<std::uint8_t> faux;  // as in MeshArrays; empty if no face has a faux edge
-	std::size_t zeroAreaFacesRemoved = 0;
 	std::size_t verticesCopied = 0;     // to pull apart where the block meets itself
 	std::vector<StageTime> stageTimes;  // of the stages that made this block
 

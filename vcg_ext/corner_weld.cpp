@@ -208,7 +208,7 @@ Status CornerWelder::replaceCorners(const std::vector<Move>& moves, std::size_t 
 	                   });
 }
 
-Status CornerWelder::weldWithinOperands(bool& welded) {
+Status CornerWelder::weldWithinOperands(std::array<bool, 2>& welded) {
 	std::array<std::vector<Move>, 2> moves;
 	const int halves = threadsForHalves(suspects_[0].size() + suspects_[1].size(), threads_);
 	const Status status =
@@ -222,8 +222,8 @@ Status CornerWelder::weldWithinOperands(bool& welded) {
 			    }
 		    }
 	    });
+	welded = {!moves[0].empty(), !moves[1].empty()};
 	moves[0].insert(moves[0].end(), moves[1].begin(), moves[1].end());
-	welded = !moves[0].empty();
 	return status.ok() ? replaceCorners(moves[0], 0) : status;
 }
 

@@ -34,8 +34,8 @@ public:
 	Status findSuspects(double most, bool& inRange);
 
 	// Replaces each corner by the first vertex of its operand with the same coordinates.
-	// \param welded whether any has been replaced
-	Status weldWithinOperands(bool& welded);
+	// \param welded which operands have two vertices in one place
+	Status weldWithinOperands(std::array<bool, 2>& welded);
 
 	// Where vertices of both operands coincide, they are one vertex from here on. A vertex that no
 	// face of the first operand uses (any more) is none of its vertices.

@@ -141,6 +141,54 @@ int homogeneousOrientation(const ExactPoint& a, const ExactPoint& b, const Exact
 	return signProduct(determinant.sign(), weights);
 }
 
+// The weights of a triangle's corners as quotients with one denominator.
+template <class N>
+struct Barycentric {
+	std::array<N, 3> numerator;
+	N denominator;
+};
+
+template <class N>
+Barycentric<N> barycentric(const std::array<const Point*, 3>& triangle, const ExactPoint& p,
+                           int axis) {
+	const Point& origin = *triangle[2];
+	const Homogeneous<N> q = homogeneous<N>(p, origin, axis);
+	const Homogeneous<N> a = homogeneous<N>(ExactPoint::explicitPoint(*triangle[0]), origin, axis);
+	const Homogeneous<N> b = homogeneous<N>(ExactPoint::explicitPoint(*triangle[1]), origin, axis);
+	const N first = q.x * b.y - q.y * b.x;
+	const N second = a.x * q.y - a.y * q.x;
+	const N whole = (a.x * b.y - a.y * b.x) * q.w;
+	return {{first, second, whole - first - second}, whole};
+}
+
+double approximate(const Bounded& n) { return n.value; }
+double approximate(const BoundedPair& n) { return n.high; }
+
+// Writes the weights if their signs are known and their values precise; that of the corner `zero`
+// is 0. What a double-double's low part adds is far below that.
+template <class N>
+bool weightsOf(const Barycentric<N>& quotients, int zero, std::array<double, 3>& weights) {
+	constexpr double kPrecision = 0x1p-41;
+	const double divisor = approximate(quotients.denominator);
+	const double room = std::fabs(divisor) - quotients.denominator.bound;
+	for (std::size_t k = 0; k < 3; ++k) {
+		const N& numerator = quotients.numerator[k];
+		weights[k] = 0;
+		if (static_cast<int>(k) == zero) {
+			continue;
+		}
+		weights[k] = approximate(numerator) / divisor;
+		const double error = numerator.bound + std::fabs(weights[k]) * quotients.denominator.bound;
+		if (numerator.sign() == kUnknownSign || !(error <= kPrecision * room)) {
+			return false;
+		}
+		if (numerator.sign() == 0) {
+			weights[k] = 0;
+		}
+	}
+	return true;
+}
+
 int orientationOfRounded(const ExactPoint& a, const ExactPoint& b, const ExactPoint& c, int axis) {
 	const auto coordinate = [](const ExactPoint& p, int k) {
 		const double value = p.rounded[static_cast<std::size_t>(k)];
@@ -386,6 +434,23 @@ void roundPoint(ExactPoint& p) {
 	for (double& coordinate : p.rounded) {
 		coordinate += 0.0;
 	}
+}
+
+std::array<double, 3> barycentricWeights(const std::array<const Point*, 3>& triangle,
+                                         const ExactPoint& p, int zero, int axis) {
+	std::array<double, 3> weights{};
+	if (weightsOf(barycentric<Bounded>(triangle, p, axis), zero, weights)) {
+		countSign(Predicate::Rounding, DecidedBy::Double);
+	} else if (weightsOf(barycentric<BoundedPair>(triangle, p, axis), zero, weights)) {
+		countSign(Predicate::Rounding, DecidedBy::DoubleDouble);
+	} else {
+		countSign(Predicate::Rounding, DecidedBy::Integers);
+		const Barycentric<Dyadic> exact = barycentric<Dyadic>(triangle, p, axis);
+		for (std::size_t k = 0; k < 3; ++k) {
+			weights[k] = roundedQuotient(exact.numerator[k], exact.denominator);
+		}
+	}
+	return weights;
 }
 
 int compareCoordinate(const ExactPoint& a, const ExactPoint& b, int axis) {

@@ -82,6 +82,14 @@ struct ExactPoint {
 // \pre the simplices meet in one point
 void roundPoint(ExactPoint& p);
 
+// The weights by which a point in the plane of a triangle is the mean of its corners. Their signs
+// are exact, 0 included: negative only where the point is outside; their values within 2^-40.
+// \param zero the corner whose weight is known to be 0, or -1; knowing it saves time
+// \param axis along which the triangle has area
+// \pre p lies in the triangle's plane, and its rounded coordinates are filled
+std::array<double, 3> barycentricWeights(const std::array<const Point*, 3>& triangle,
+                                         const ExactPoint& p, int zero, int axis);
+
 // Compares one coordinate of two points exactly: -1, 0, +1.
 int compareCoordinate(const ExactPoint& a, const ExactPoint& b, int axis);
 

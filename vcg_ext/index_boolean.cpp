@@ -187,7 +187,7 @@ Status extractBlock(const Arrangement& arrangement, Operation operation, Monitor
 		stages.run("merge_fragments", 0.1,
 		           [&] { return mergeFragments(arrangement, monitor, out); });
 		stages.run("clean", 0.15, [&] { return finishBlock(options, monitor, out); });
-		stages.run("polygons", 0.05, [&] { return findFauxEdges(arrangement, monitor, out); });
+		stages.run("polygons", 0.05, [&] { return findFauxEdges(arrangement, {}, monitor, out); });
 		return stages.status();
 	});
 }
@@ -239,6 +239,20 @@ Status extractSubBlock(const Arrangement& arrangement, const Split& split, SubBl
 	return guarded([&] {
 		monitor.beginStage("split_meshes", 0, 1);
 		return collectSubBlock(arrangement, split.surfaces, split.blocks, block, monitor, out);
+	});
+}
+
+Status operandSeams(const Arrangement& arrangement, const GivenTriangles& given,
+                    const SameAttributes& same, Monitor& monitor, Seams& out) {
+	return guarded([&] { return findSeams(arrangement, given, same, monitor, out); });
+}
+
+Status attributeSources(const Arrangement& arrangement, const GivenTriangles& given,
+                        const Seams& seams, AttributeNeeds needs, Monitor& monitor,
+                        SourcedMesh& mesh, AttributeSources& out) {
+	return guarded([&] {
+		monitor.beginStage("attributes", 0, 1);
+		return findAttributeSources(arrangement, given, seams, needs, monitor, mesh, out);
 	});
 }
 

@@ -9,6 +9,7 @@
 #pragma once
 
 #include "arrangement.h"
+#include "attributes.h"
 #include "blocks.h"
 #include "curve_lines.h"
 #include "measure.h"
@@ -69,6 +70,17 @@ Status extractSubSurfaces(const Arrangement& arrangement, const Split& split, st
                           Monitor& monitor, SplitMesh& out);
 Status extractSubBlock(const Arrangement& arrangement, const Split& split, SubBlockId block,
                        Monitor& monitor, SplitMesh& out);
+
+// The seams of the operands, which stay in every output; see seams.h.
+// \return Ok, Cancelled, OutOfMemory, InternalError
+Status operandSeams(const Arrangement& arrangement, const GivenTriangles& given,
+                    const SameAttributes& same, Monitor& monitor, Seams& out);
+
+// Of which input elements a block's or split mesh's elements take their attributes; see
+// attributes.h. \return Ok, Cancelled, OutOfMemory, InternalError
+Status attributeSources(const Arrangement& arrangement, const GivenTriangles& given,
+                        const Seams& seams, AttributeNeeds needs, Monitor& monitor,
+                        SourcedMesh& mesh, AttributeSources& out);
 
 // Measures delivered blocks (volume, area, components, closedness) and the volume laws.
 // \param blocks any of the arrangement's blocks

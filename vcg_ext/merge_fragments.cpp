@@ -56,6 +56,7 @@ private:
 	void collectFaces();
 	void groupByParent();
 	void groupByPlane();
+	std::array<std::uint32_t, 2> classOf(FaceId face) const;
 	bool coplanar(std::uint32_t f, std::uint32_t g) const;
 	bool liesInPolygon(VertexId v) const;
 	void keepCopies();
@@ -165,12 +166,23 @@ void Merger::groupByParent() {
 	}
 }
 
-// Whether two neighbouring faces lie in one plane, with fronts to the same side.
+// What the face must have in common with others to become one with them; see MeshArrays.
+std::array<std::uint32_t, 2> Merger::classOf(FaceId face) const {
+	const auto operand = static_cast<std::uint32_t>(mesh_.operandOf(face));
+	const std::vector<std::uint32_t>& classes = mesh_.faceClass[operand];
+	return classes.empty() ? std::array{0u, 0u}
+	                       : std::array{1u, classes[arrangement_.givenFace(face)]};
+}
+
+// Whether two neighbouring faces lie in one plane, with fronts to the same side, and may be one.
 bool Merger::coplanar(std::uint32_t f, std::uint32_t g) const {
 	const FaceSource& a = sourceOf(f);
 	const FaceSource& b = sourceOf(g);
 	if (a.face == b.face) {
 		return a.turned == b.turned;
+	}
+	if (classOf(a.face) != classOf(b.face)) {
+		return false;
 	}
 	const int front = commonFront(mesh_, a.face, b.face);
 	return front != 0 && (front > 0) == (a.turned == b.turned);

@@ -26,6 +26,9 @@ struct MeshArrays {
 	// Per face, bit i: the edge from its corner i on lies inside a polygon, which is one face to
 	// the user (vcglib's faux edges). Empty if there is none.
 	std::vector<std::uint8_t> faux;
+	// Per operand and face as given: with options.mergeCoplanar, only faces of one class become
+	// one. Empty: all faces are of one class.
+	std::array<std::vector<std::uint32_t>, 2> faceClass;
 	// Once looked for, and only if there are any: a vertex is quiet if every face at it has a twin,
 	// a face if its corners are. Nothing is known of the twins of other faces.
 	std::vector<Twin> quietFaces;

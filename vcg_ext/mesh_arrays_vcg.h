@@ -119,22 +119,34 @@ inline void growArrays(std::size_t vertexCount, std::size_t faceCount, int opera
 	}
 }
 
-// Reads the faux edges of the operand whose faces are the last in the arrays. Most meshes have
-// none.
+// Which elements of a mesh an operand was read from, and what was noticed on the way.
+struct OperandElements {
+	LiveElements vertices, faces;
+	bool anyVertexSelected = false, anyFaceSelected = false;
+};
+
+// Reads the faux edges of the operand whose faces are the last in the arrays, if there are any:
+// most meshes have none.
 template <class TriMesh>
-Status appendFauxEdges(const TriMesh& mesh, const LiveElements& faces, Monitor& monitor,
+Status appendFauxEdges(const TriMesh& mesh, Monitor& monitor, OperandElements& elements,
                        MeshArrays& out) {
+	const LiveElements& faces = elements.faces;
 	const std::size_t first = out.triangles.size() - faces.count;
-	std::atomic<bool> any{false};
+	std::atomic<bool> anyFaux{false}, anySelected{false};
 	Status status = parallelFor(faces.count, kElementGrain, 0, monitor,
 	                            [&](std::size_t begin, std::size_t end) {
-		                            int flags = 0;
-		                            for (std::size_t i = begin; i < end; ++i)
-			                            flags |= mesh.face[faces[i]].IsAnyF() ? 1 : 0;
-		                            if (flags != 0)
-			                            any = true;
+		                            bool faux = false, selected = false;
+		                            for (std::size_t i = begin; i < end; ++i) {
+			                            faux |= mesh.face[faces[i]].IsAnyF();
+			                            selected |= mesh.face[faces[i]].IsS();
+		                            }
+		                            if (faux)
+			                            anyFaux = true;
+		                            if (selected)
+			                            anySelected = true;
 	                            });
-	if (!status.ok() || !any)
+	elements.anyFaceSelected = anySelected;
+	if (!status.ok() || !anyFaux)
 		return status;
 	out.faux.resize(out.triangles.size(), 0);
 	return parallelFor(
@@ -151,29 +163,36 @@ Status appendFauxEdges(const TriMesh& mesh, const LiveElements& faces, Monitor& 
 // \param transform applied to each vertex by vcglib's product; faces keep their corners' order
 // \param operand   0 or 1
 // \param out       both operands' arrays
-// \param faces     replaced: which of the mesh's faces the operand's faces are
+// \param elements  replaced
 // \return Ok, Cancelled, or TooLarge before anything is read. Throws std::bad_alloc.
 // Complexity: O(n), in parallel.
 template <class TriMesh>
 Status appendOperand(const TriMesh& mesh,
                      const vcg::Matrix44<typename TriMesh::ScalarType>& transform, int operand,
-                     Monitor& monitor, MeshArrays& out, LiveElements& faces) {
+                     Monitor& monitor, MeshArrays& out, OperandElements& elements) {
 	Status status = checkCounts(out.points.size() + static_cast<std::size_t>(mesh.vn),
 	                            out.triangles.size() + static_cast<std::size_t>(mesh.fn));
 	if (!status.ok())
 		return status;
-	const LiveElements vertices = liveElements(mesh.vert, mesh.vn);
-	faces = liveElements(mesh.face, mesh.fn);
+	elements = {liveElements(mesh.vert, mesh.vn), liveElements(mesh.face, mesh.fn)};
+	const LiveElements &vertices = elements.vertices, &faces = elements.faces;
 	growArrays(vertices.count, faces.count, operand, out);
 	Point* points = out.points.data() + (out.points.size() - vertices.count);
+	std::atomic<bool> anySelected{false};
 	const auto readPoints = [&](std::size_t begin, std::size_t end) {
+		bool selected = false;
 		for (std::size_t i = begin; i < end; ++i) {
-			const auto p = transform * mesh.vert[vertices[i]].cP();
+			const auto& vertex = mesh.vert[vertices[i]];
+			const auto p = transform * vertex.cP();
 			points[i] = {static_cast<double>(p[0]), static_cast<double>(p[1]),
 			             static_cast<double>(p[2])};
+			selected |= vertex.IsS();
 		}
+		if (selected)
+			anySelected = true;
 	};
 	status = parallelFor(vertices.count, kElementGrain, 0, monitor, readPoints);
+	elements.anyVertexSelected = anySelected;
 	if (!status.ok())
 		return status;
 
@@ -186,7 +205,7 @@ Status appendOperand(const TriMesh& mesh,
 		}
 	};
 	status = parallelFor(faces.count, kElementGrain, 0, monitor, readTriangles);
-	return status.ok() ? appendFauxEdges(mesh, faces, monitor, out) : status;
+	return status.ok() ? appendFauxEdges(mesh, monitor, elements, out) : status;
 }
 
 using IndexedTriangle = std::array<std::uint32_t, 3>;
@@ -259,8 +278,14 @@ void allocateSurface(std::size_t vertexCount, std::size_t faceCount, TriMesh& ou
 	vcg::tri::Allocator<TriMesh>::AddFaces(out, faceCount);
 }
 
-// Writes a surface into a mesh of its size: coordinates, faces, bounding box, and unit normals (a
-// vertex has those of its faces, weighted by area, as in the results of MeshLab's own Booleans).
+// The box of all points; all zero if there is none. \return Ok or Cancelled
+inline Status boxOf(const std::vector<Point>& points, Monitor& monitor, BoundingBox& box) {
+	return points.empty() ? Status{}
+	                      : findBoundingBox(points.data(), points.size(), 0, monitor, box);
+}
+
+// Writes a surface into a mesh of its size: coordinates, faces, bounding box, and the faces' unit
+// normals.
 // \param points    coordinates that the mesh's scalar holds, else they are rounded
 // \param triangles of indices into points
 // \param out       made by allocateSurface for these counts
@@ -270,25 +295,15 @@ template <class TriMesh>
 Status fillSurface(const std::vector<Point>& points, const std::vector<IndexedTriangle>& triangles,
                    Monitor& monitor, TriMesh& out) {
 	BoundingBox box{};
-	if (!points.empty()) {
-		const Status status = findBoundingBox(points.data(), points.size(), 0, monitor, box);
-		if (!status.ok())
-			return status;
-	}
+	Status status = boxOf(points, monitor, box);
+	if (!status.ok())
+		return status;
 	const double scale = unitScale(box);
-	std::vector<Point> normalSums;
-	assignHuge(normalSums, points.size(), Point{0, 0, 0});
 	const auto writeVertices = [&](std::size_t begin, std::size_t end) {
-		sumNormals(points, triangles, scale, begin, end, normalSums);
-		for (std::size_t i = begin; i < end; ++i) {
+		for (std::size_t i = begin; i < end; ++i)
 			out.vert[i].P() = toCoordinate<TriMesh>(points[i]);
-			out.vert[i].N() = toCoordinate<TriMesh>(direction(normalSums[i]));
-		}
 	};
-	// Each range passes over all faces, so there is one for each thread; the sums do not depend on
-	// the ranges.
-	const std::size_t vertexGrain = std::max(kElementGrain, points.size() / threadCount() + 1);
-	Status status = parallelFor(points.size(), vertexGrain, 0, monitor, writeVertices);
+	status = parallelFor(points.size(), kElementGrain, 0, monitor, writeVertices);
 	if (!status.ok())
 		return status;
 
@@ -306,6 +321,30 @@ Status fillSurface(const std::vector<Point>& points, const std::vector<IndexedTr
 		out.bbox.Add(toCoordinate<TriMesh>(box.hi));
 	}
 	return parallelFor(triangles.size(), kElementGrain, 0, monitor, writeFaces);
+}
+
+// Gives the vertices of a surface written before unit normals: those of their faces, weighted by
+// area, as in the results of MeshLab's own Booleans. Parameters, errors as above.
+template <class TriMesh>
+Status fillVertexNormals(const std::vector<Point>& points,
+                         const std::vector<IndexedTriangle>& triangles, Monitor& monitor,
+                         TriMesh& out) {
+	BoundingBox box{};
+	const Status status = boxOf(points, monitor, box);
+	if (!status.ok())
+		return status;
+	const double scale = unitScale(box);
+	std::vector<Point> normalSums;
+	assignHuge(normalSums, points.size(), Point{0, 0, 0});
+	const auto writeNormals = [&](std::size_t begin, std::size_t end) {
+		sumNormals(points, triangles, scale, begin, end, normalSums);
+		for (std::size_t i = begin; i < end; ++i)
+			out.vert[i].N() = toCoordinate<TriMesh>(direction(normalSums[i]));
+	};
+	// Each range passes over all faces, so there is one for each thread; the sums do not depend on
+	// the ranges.
+	const std::size_t vertexGrain = std::max(kElementGrain, points.size() / threadCount() + 1);
+	return parallelFor(points.size(), vertexGrain, 0, monitor, writeNormals);
 }
 
 // Marks the faux edges of a surface written before.

@@ -492,7 +492,7 @@ Status findNonManifold(Arrangement& arrangement, Monitor& monitor) {
 // Checks the arrays, welds each operand's vertices and drops faces with two equal corners.
 Status weldOperands(Arrangement& arrangement, Monitor& monitor, CornerWelder& welder) {
 	CornerFacts facts;
-	bool welded = false;
+	std::array<bool, 2>& welded = arrangement.seams;
 	Status status = checkSizes(arrangement.mesh);
 	if (status.ok()) {
 		status = checkCorners(arrangement, monitor, welder, facts);
@@ -500,7 +500,7 @@ Status weldOperands(Arrangement& arrangement, Monitor& monitor, CornerWelder& we
 	if (status.ok()) {
 		status = welder.weldWithinOperands(welded);
 	}
-	if (status.ok() && welded) {
+	if (status.ok() && (welded[0] || welded[1])) {
 		status = lookAtCorners(arrangement, monitor, facts);
 	}
 	return status.ok() && facts.anyEqual ? dropCollapsedFaces(arrangement) : status;
@@ -556,6 +556,12 @@ Status prepareSurfaces(Arrangement& arrangement, Monitor& monitor) {
 	}
 	if (status.ok()) {
 		status = findClosed(arrangement, monitor);
+	}
+	if (status.ok() && !arrangement.mesh.faux.empty()) {
+		status = findNonManifold(arrangement, monitor);
+	}
+	if (status.ok()) {
+		status = joinPolygons(arrangement, monitor);
 	}
 	return status.ok() ? findVolumes(arrangement, false, monitor) : status;
 }

@@ -61,27 +61,30 @@ struct FauxEdges {
 	std::vector<std::uint8_t> isFlat;  // per pair: both faces lie in one plane
 };
 
-// An edge with more than two faces has ends at which the operand is no manifold.
+// An edge with more than two faces has ends at which the operand is no manifold, and so has one at
+// a border: between such vertices, all half-edges are looked at.
 FauxEdges pairFauxEdges(const Arrangement& arrangement, std::size_t operand) {
 	const MeshArrays& mesh = arrangement.mesh;
-	const auto isManifold = [&](VertexId v) {
-		return !std::binary_search(arrangement.nonManifold.begin(), arrangement.nonManifold.end(),
-		                           v);
+	const std::vector<VertexId>& nonManifold = arrangement.nonManifold;
+	const auto isOdd = [&](VertexId v) {
+		return std::binary_search(nonManifold.begin(), nonManifold.end(), v);
 	};
 	std::vector<HalfEdge> halfEdges;
 	for (std::size_t f = mesh.faceBegin[operand]; f < mesh.faceBegin[operand + 1]; ++f) {
-		for (std::size_t i = 0; mesh.faux[f] != 0 && i < 3; ++i) {
+		for (std::size_t i = 0; (mesh.faux[f] != 0 || !nonManifold.empty()) && i < 3; ++i) {
 			const VertexId from = mesh.triangles[f][i];
 			const VertexId to = mesh.triangles[f][(i + 1) % 3];
-			if (has(mesh.faux[f], i) && (isManifold(from) || isManifold(to))) {
+			if (has(mesh.faux[f], i) || (isOdd(from) && isOdd(to))) {
 				halfEdges.push_back(makeHalfEdge(from.value, to.value, f, i));
 			}
 		}
 	}
 	FauxEdges found;
 	visitPairs(halfEdges, [&](const HalfEdge& a, const HalfEdge& b) {
-		found.pairs.push_back({a, b});
-		found.isFlat.push_back(commonFront(mesh, {a.face}, {b.face}) > 0 ? 1 : 0);
+		if (has(mesh.faux[a.face], a.corner) && has(mesh.faux[b.face], b.corner)) {
+			found.pairs.push_back({a, b});
+			found.isFlat.push_back(commonFront(mesh, {a.face}, {b.face}) > 0 ? 1 : 0);
+		}
 	});
 	return found;
 }
@@ -95,11 +98,12 @@ std::vector<FaceId> roots(UnionFind& sets) {
 	return result;
 }
 
-// Marks the faux edges of one finished block.
+// Marks the faux edges of one finished mesh.
 class Marker {
 public:
-	Marker(const Arrangement& arrangement, Block& block)
-	    : arrangement_(arrangement), mesh_(arrangement.mesh), block_(block) {}
+	Marker(const Arrangement& arrangement, const std::vector<std::uint32_t>& part,
+	       SourcedMesh& output)
+	    : arrangement_(arrangement), mesh_(arrangement.mesh), part_(part), output_(output) {}
 
 	void run();
 
@@ -112,40 +116,43 @@ private:
 	void findSimple();
 
 	std::uint32_t polygonOf(std::size_t face) const {
-		return at(arrangement_.polygons.polygon, block_.faceSource[face].face).value;
+		return at(arrangement_.polygons.polygon, output_.faceSource[face].face).value;
 	}
+	std::uint32_t partOf(std::size_t face) const { return part_.empty() ? 0 : part_[face]; }
 	// The polygon, and the side of it that is outside.
 	std::uint32_t sideOf(std::size_t face) const {
-		return 2 * polygonOf(face) + (block_.faceSource[face].turned ? 1 : 0);
+		return 2 * polygonOf(face) + (output_.faceSource[face].turned ? 1 : 0);
 	}
 
 	const Arrangement& arrangement_;
 	const MeshArrays& mesh_;
-	Block& block_;
-	std::vector<std::uint32_t> size_;     // faces of a polygon, at its first face
-	std::vector<std::uint32_t> present_;  // and those that are whole in the block, per side
-	std::vector<std::uint32_t> broken_;   // faces of the block in polygons that are not whole
-	std::vector<HalfEdge> halfEdges_;     // their edges, and others on the same two vertices
+	const std::vector<std::uint32_t>& part_;
+	SourcedMesh& output_;
+	std::vector<std::uint32_t> size_;  // faces of a polygon, at its first face
+	std::vector<std::uint32_t>
+	    present_;  // and those that are whole in one part of the mesh, per side
+	std::vector<std::uint32_t> broken_;  // faces of the mesh in polygons that are not whole
+	std::vector<HalfEdge> halfEdges_;    // their edges, and others on the same two vertices
 	std::vector<std::array<HalfEdge, 2>> inner_;  // between two faces of one side of a polygon
-	std::vector<std::uint32_t> set_;              // per face of the block: joined across these
+	std::vector<std::uint32_t> set_;              // per face of the mesh: joined across these
 	std::vector<std::uint8_t> isSimple_;          // per set
 };
 
-// If a face of the block is all of its input face: whether its edges are faux in the input.
+// If a face of the mesh is all of its input face: whether its edges are faux in the input.
 bool Marker::isWhole(std::size_t face, std::uint8_t& faux) const {
-	const FaceSource& source = block_.faceSource[face];
+	const FaceSource& source = output_.faceSource[face];
 	Triangle t = at(mesh_.triangles, source.face);
 	const std::uint8_t given = at(mesh_.faux, source.face);
 	const unsigned mask = source.turned ? turnedFaux(given) : given;
 	if (source.turned) {
 		std::swap(t[1], t[2]);
 	}
-	const auto& c = block_.triangles[face];
+	const auto& c = output_.triangles[face];
 	for (std::size_t k = 0; k < 3; ++k) {
-		if (block_.vertexSource[c[0]] == t[k]) {
+		if (output_.vertexSource[c[0]] == t[k]) {
 			faux = static_cast<std::uint8_t>((mask | mask << 3U) >> k & 7U);
-			return block_.vertexSource[c[1]] == t[(k + 1) % 3] &&
-			       block_.vertexSource[c[2]] == t[(k + 2) % 3];
+			return output_.vertexSource[c[1]] == t[(k + 1) % 3] &&
+			       output_.vertexSource[c[2]] == t[(k + 2) % 3];
 		}
 	}
 	return false;
@@ -157,24 +164,27 @@ void Marker::countWholeFaces() {
 		++at(size_, first);
 	}
 	present_.assign(2 * size_.size(), 0);
+	std::vector<std::uint32_t> part(present_.size());  // of the first whole face, per side
 	std::uint8_t faux = 0;
-	for (std::size_t f = 0; f < block_.triangles.size(); ++f) {
+	for (std::size_t f = 0; f < output_.triangles.size(); ++f) {
 		if (size_[polygonOf(f)] > 1 && isWhole(f, faux)) {
-			++present_[sideOf(f)];
+			const std::uint32_t side = sideOf(f);
+			part[side] = present_[side] == 0 ? partOf(f) : part[side];
+			present_[side] += part[side] == partOf(f) ? 1 : 0;
 		}
 	}
 }
 
 void Marker::markIntact() {
-	block_.faux.assign(block_.triangles.size(), 0);
-	for (std::size_t f = 0; f < block_.triangles.size(); ++f) {
+	output_.faux.assign(output_.triangles.size(), 0);
+	for (std::size_t f = 0; f < output_.triangles.size(); ++f) {
 		const std::uint32_t size = size_[polygonOf(f)];
 		if (size == 1) {
 			continue;
 		}
 		std::uint8_t faux = 0;
 		if (present_[sideOf(f)] == size && isWhole(f, faux)) {
-			block_.faux[f] = faux;
+			output_.faux[f] = faux;
 		} else {
 			broken_.push_back(static_cast<std::uint32_t>(f));
 		}
@@ -182,14 +192,14 @@ void Marker::markIntact() {
 }
 
 void Marker::listHalfEdges() {
-	std::vector<std::uint8_t> near(block_.points.size(), 0);
+	std::vector<std::uint8_t> near(output_.points.size(), 0);
 	for (const std::uint32_t f : broken_) {
-		for (const std::uint32_t v : block_.triangles[f]) {
+		for (const std::uint32_t v : output_.triangles[f]) {
 			near[v] = 1;
 		}
 	}
-	for (std::size_t f = 0; f < block_.triangles.size(); ++f) {
-		const auto& t = block_.triangles[f];
+	for (std::size_t f = 0; f < output_.triangles.size(); ++f) {
+		const auto& t = output_.triangles[f];
 		for (std::size_t i = 0; i < 3; ++i) {
 			const std::uint32_t from = t[i], to = t[(i + 1) % 3];
 			if (near[from] != 0 && near[to] != 0) {
@@ -200,13 +210,14 @@ void Marker::listHalfEdges() {
 }
 
 void Marker::joinPieces() {
-	UnionFind sets(block_.triangles.size());
-	std::vector<std::uint8_t> isBroken(block_.triangles.size(), 0);
+	UnionFind sets(output_.triangles.size());
+	std::vector<std::uint8_t> isBroken(output_.triangles.size(), 0);
 	for (const std::uint32_t f : broken_) {
 		isBroken[f] = 1;
 	}
 	visitPairs(halfEdges_, [&](const HalfEdge& a, const HalfEdge& b) {
-		if (isBroken[a.face] != 0 && isBroken[b.face] != 0 && sideOf(a.face) == sideOf(b.face)) {
+		if (isBroken[a.face] != 0 && isBroken[b.face] != 0 && sideOf(a.face) == sideOf(b.face) &&
+		    partOf(a.face) == partOf(b.face)) {
 			inner_.push_back({a, b});
 			sets.unite(a.face, b.face);
 		}
@@ -232,7 +243,7 @@ void Marker::findSimple() {
 	for (const std::uint32_t f : broken_) {
 		++faces[set_[f]];
 		for (std::size_t i = 0; i < 3; ++i) {
-			used.push_back({set_[f], block_.triangles[f][i]});
+			used.push_back({set_[f], output_.triangles[f][i]});
 			if (!has(inner[f], i)) {
 				starts.push_back(used.back());
 				++corners[set_[f]];
@@ -272,12 +283,12 @@ void Marker::run() {
 	for (const auto& pair : inner_) {
 		for (const HalfEdge& h : pair) {
 			if (isSimple_[set_[h.face]] != 0) {
-				add(block_.faux[h.face], h.corner);
+				add(output_.faux[h.face], h.corner);
 			}
 		}
 	}
-	if (std::none_of(block_.faux.begin(), block_.faux.end(), [](std::uint8_t m) { return m; })) {
-		block_.faux.clear();
+	if (std::none_of(output_.faux.begin(), output_.faux.end(), [](std::uint8_t m) { return m; })) {
+		output_.faux.clear();
 	}
 }
 
@@ -332,10 +343,11 @@ Status joinPolygons(Arrangement& arrangement, Monitor& monitor) {
 	return status;
 }
 
-Status findFauxEdges(const Arrangement& arrangement, Monitor& monitor, Block& block) {
+Status findFauxEdges(const Arrangement& arrangement, const std::vector<std::uint32_t>& part,
+                     Monitor& monitor, SourcedMesh& mesh) {
 	Status status;
 	if (!arrangement.polygons.polygon.empty()) {
-		Marker(arrangement, block).run();
+		Marker(arrangement, part, mesh).run();
 	}
 	status.code = pollCancelled(monitor) ? StatusCode::Cancelled : StatusCode::Ok;
 	return status;

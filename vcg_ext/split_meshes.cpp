@@ -8,6 +8,7 @@
 #include "clean.h"
 #include "huge_pages.h"
 #include "parallel.h"
+#include "polygons.h"
 #include "weld.h"
 
 #include <algorithm>
@@ -44,6 +45,7 @@ private:
 	std::uint32_t numberOf(VertexId v) const;
 	Status placeVertices();
 	Status clean();
+	Status markPolygons();
 	std::array<std::int32_t, 2> besideOf(const ChosenFace& face) const;
 
 	const Arrangement& arrangement_;
@@ -128,6 +130,17 @@ Status Collector::clean() {
 	return status;
 }
 
+// Polygons end where sub-surfaces do.
+Status Collector::markPolygons() {
+	std::vector<std::uint32_t> part;
+	if (!arrangement_.polygons.polygon.empty()) {
+		for (const SubSurfaceId id : out_.subSurface) {
+			part.push_back(id.value);
+		}
+	}
+	return findFauxEdges(arrangement_, part, monitor_, out_);
+}
+
 Status Collector::run() {
 	Status status = placeVertices();
 	const std::size_t n = chosen_.size();
@@ -149,7 +162,10 @@ Status Collector::run() {
 	if (status.ok()) {
 		status = parallelFor(n, kGrain, arrangement_.options.threads, monitor_, write);
 	}
-	return status.ok() ? clean() : status;
+	if (status.ok()) {
+		status = clean();
+	}
+	return status.ok() ? markPolygons() : status;
 }
 
 }  // namespace

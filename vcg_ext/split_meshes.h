@@ -6,20 +6,15 @@
 // has zero area. Cuts stay, so that neighbours fit together.
 #pragma once
 
-#include "blocks.h"
+#include "sourced_mesh.h"
 #include "sub_blocks.h"
 
 namespace index_boolean {
 
-// Arrays are parallel: points with vertexSource, triangles with the others.
-struct SplitMesh {
-	std::vector<Point> points;
-	std::vector<VertexId> vertexSource;
-	std::vector<std::array<std::uint32_t, 3>> triangles;
-	std::vector<FaceSource> faceSource;
+// subSurface and beside are parallel to the triangles.
+struct SplitMesh : SourcedMesh {
 	std::vector<SubSurfaceId> subSurface;
 	std::vector<std::array<std::int32_t, 2>> beside;  // blocks in front of the face and behind it
-	std::size_t zeroAreaFacesRemoved = 0;
 };
 
 // The mesh of all sub-surfaces of one operand: that operand with its cuts, turned as it was given.

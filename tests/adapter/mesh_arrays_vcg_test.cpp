@@ -66,15 +66,16 @@ void write(const Surface& surface, Mesh& mesh) {
 	Monitor monitor;
 	allocateSurface(surface.points.size(), surface.triangles.size(), mesh);
 	ASSERT_TRUE(fillSurface(surface.points, surface.triangles, monitor, mesh).ok());
+	ASSERT_TRUE(fillVertexNormals(surface.points, surface.triangles, monitor, mesh).ok());
 }
 
 template <class Mesh>
 LiveElements read(const Mesh& mesh, const vcg::Matrix44<typename Mesh::ScalarType>& transform,
                   int operand, MeshArrays& arrays) {
 	Monitor monitor;
-	LiveElements faces;
-	EXPECT_TRUE(appendOperand(mesh, transform, operand, monitor, arrays, faces).ok());
-	return faces;
+	OperandElements elements;
+	EXPECT_TRUE(appendOperand(mesh, transform, operand, monitor, arrays, elements).ok());
+	return elements.faces;
 }
 
 template <class Mesh>
@@ -143,9 +144,9 @@ TYPED_TEST(MeshArraysVcg, countsBeyondTheLimitAreRefusedBeforeAnythingIsRead) {
 	for (const auto& [mesh, count] : {std::pair<const TypeParam*, std::size_t>{&tooManyVertices, 4},
 	                                  std::pair<const TypeParam*, std::size_t>{&tooManyFaces, 1}}) {
 		Monitor monitor;
-		LiveElements faces;
+		OperandElements elements;
 		const Status status =
-		    appendOperand(*mesh, TestFixture::Matrix::Identity(), 1, monitor, arrays, faces);
+		    appendOperand(*mesh, TestFixture::Matrix::Identity(), 1, monitor, arrays, elements);
 		EXPECT_EQ(status.code, StatusCode::TooLarge);
 		EXPECT_EQ(status.count, (std::size_t{1} << 31) - 1 + count);
 		EXPECT_EQ(arrays.points.size(), 4u);
@@ -257,10 +258,13 @@ TYPED_TEST(MeshArraysVcg, aCancelledMonitorStopsReadingAndWriting) {
 	Monitor monitor([](double, const char*) { return false; });
 	monitor.beginStage("cancelled", 0, 1);
 	MeshArrays arrays;
-	LiveElements faces;
-	EXPECT_EQ(appendOperand(mesh, TestFixture::Matrix::Identity(), 0, monitor, arrays, faces).code,
-	          StatusCode::Cancelled);
+	OperandElements elements;
+	EXPECT_EQ(
+	    appendOperand(mesh, TestFixture::Matrix::Identity(), 0, monitor, arrays, elements).code,
+	    StatusCode::Cancelled);
 	EXPECT_EQ(fillSurface(surface.points, surface.triangles, monitor, mesh).code,
+	          StatusCode::Cancelled);
+	EXPECT_EQ(fillVertexNormals(surface.points, surface.triangles, monitor, mesh).code,
 	          StatusCode::Cancelled);
 }
 

@@ -28,7 +28,7 @@ def stage_table():
 def test_stage_table_has_the_drivers_stages_in_the_drivers_order():
     driver = (ROOT / "vcg_ext" / "index_boolean.cpp").read_text()
     run = re.findall(r'stages\.run\("(\w+)"', driver)
-    assert [stage for stage, _ in stage_table()] == [*run, "audit"]
+    assert [stage for stage, _ in stage_table()] == [*run, "audit", "attributes"]
 
 
 def test_every_stage_is_a_file_pair():
