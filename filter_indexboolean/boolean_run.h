@@ -17,15 +17,19 @@ struct BooleanRequest {
 	Options options;
 	std::vector<Operation> operations;  // in the order of the layers
 	bool curves = false;                // and the curve as polylines
+	GivenTriangles given;               // if the blocks' attribute sources are wanted, with
+	SameAttributes same;
+	AttributeNeeds needs;
 };
 
 struct BooleanResult {
 	std::array<bool, 2> turned{};
 	DuplicateFaces duplicates;
 	LoopCounts loopCounts;
-	std::vector<Block> blocks;  // one for each operation requested
-	Audit audit;                // of these blocks
-	CurveLines curves;          // if requested
+	std::vector<Block> blocks;              // one for each operation requested
+	Audit audit;                            // of these blocks
+	std::vector<AttributeSources> sources;  // of each block, if wanted
+	CurveLines curves;                      // if requested
 	std::vector<StageTime> stageTimes;
 	double seconds = 0;  // from arrays to arrays
 };
@@ -38,7 +42,9 @@ Status runBoolean(MeshArrays input, const BooleanRequest& request, Progress& pro
                   BooleanResult& result);
 
 // What the phases take of the progress bar; the rest is the adapter's.
-constexpr double kArrangeShare = 0.55, kBlocksShare = 0.14, kAuditShare = 0.1, kCurvesShare = 0.01;
-constexpr double kRunShare = kArrangeShare + kBlocksShare + kAuditShare + kCurvesShare;
+constexpr double kArrangeShare = 0.52, kBlocksShare = 0.14, kAuditShare = 0.08,
+                 kSourcesShare = 0.05, kCurvesShare = 0.01;
+constexpr double kRunShare =
+    kArrangeShare + kBlocksShare + kAuditShare + kSourcesShare + kCurvesShare;
 
 }  // namespace index_boolean

@@ -25,13 +25,12 @@ LayerContent curveContent(const CurveLines& curves, const OperandArrays& read,
                           const LayerNames& names) {
 	const auto source = [&](const char* name, std::size_t operand) {
 		return perVertex(name, curves, [&, operand](std::size_t vertex) {
-			return read.faces[operand][curves.sources[vertex][operand]];
+			return read.elements[operand].faces[curves.sources[vertex][operand]];
 		});
 	};
 	LayerContent content;
 	content.label = QString::fromStdString(curvesLabel(names[0].label, names[1].label));
-	content.points = &curves.points;
-	content.edges = &curves.edges;
+	content.curves = &curves;
 	content.vertexAttributes = {
 	    perVertex("loop", curves, [&](std::size_t vertex) { return curves.line[vertex]; }),
 	    perVertex("loop_kind", curves,

@@ -136,6 +136,21 @@ FilterDefinition booleanDefinition() {
 	         "copies: edges with four faces. Off: copies of vertices pull the faces apart, so that "
 	         "each block is a manifold mesh."},
 	        kCheckSelfIntersections,
+	        {"transfer_attributes", kBool, 1, 0, 1, false, "Transfer attributes",
+	         "Whatever the layers carry is carried over: colours, qualities, normals, radii, "
+	         "curvature directions, texture coordinates with their textures, selection, and the "
+	         "user's scalar and point attributes. What is not cut keeps its values bit by bit, new "
+	         "vertices get those of the exact place in their face. Faces also get source_mesh (0 "
+	         "first, 1 second) and source_face, vertices source_mesh and source_vertex (-1: new)."},
+	        {"duplicate_curve_vertices", kBool, 0, 0, 1, false, "Duplicate curve vertices",
+	         "Where faces of both layers meet, each side gets vertices of its own, with the values "
+	         "of its own layer: hard edges in colours and normals. The blocks are closed once "
+	         "equal "
+	         "vertices are welded. Off: both sides share vertices, which have the values of the "
+	         "first layer. Only with transfer_attributes."},
+	        {"select_curve_vertices", kBool, 0, 0, 1, false, "Select curve vertices",
+	         "The new layers' new vertices, which lie on the intersection curves, are left "
+	         "selected, and no others. Only with transfer_attributes."},
 	        {"curves", kBool, 0, 0, 1, false, "Intersection curves",
 	         "A new layer with the lines in which A and B meet, as polylines: the same as that of "
 	         "\"Index Boolean: Intersection Curves\" (generate_index_boolean_curves)."},

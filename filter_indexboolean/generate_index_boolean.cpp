@@ -4,6 +4,7 @@
 // Parameters in, layers and result map out. The steps are in generateIndexBoolean.
 #include "generate_index_boolean.h"
 
+#include "attribute_transfer.h"
 #include "boolean_run.h"
 #include "curve_layer.h"
 #include "layers.h"
@@ -11,6 +12,7 @@
 #include "operand_layers.h"
 #include "stopwatch.h"
 
+#include <memory>
 #include <utility>
 
 namespace index_boolean {
@@ -38,16 +40,42 @@ std::vector<Operation> readOperations(const ParameterValues& values) {
 	return operations;
 }
 
+// What carries the layers' attributes over, if that is wanted; completes the request and the arrays
+// by what it needs.
+std::unique_ptr<AttributeTransfer> attributeTransfer(const ParameterValues& values,
+                                                     const OperandLayers& operands,
+                                                     BooleanRequest& request, OperandArrays& read) {
+	if (!values.getBool("transfer_attributes"))
+		return nullptr;
+	AttributeOptions options;
+	options.partCurve = values.getBool("duplicate_curve_vertices");
+	options.selectCurve = values.getBool("select_curve_vertices");
+	auto transfer = std::make_unique<AttributeTransfer>(operands.layers, read, options);
+	request.given = transfer->givenTriangles();
+	request.same = transfer->sameAttributes();
+	request.needs = transfer->needs();
+	if (request.options.mergeCoplanar)
+		read.arrays.faceClass = transfer->faceClasses();
+	return transfer;
+}
+
+// \param transfer nullptr: no attributes are wanted
 std::vector<LayerContent> contentsOf(const BooleanResult& result, const BooleanRequest& request,
-                                     const OperandArrays& read, const LayerNames& names) {
+                                     const OperandArrays& read, const AttributeTransfer* transfer,
+                                     const LayerNames& names) {
 	std::vector<LayerContent> contents;
-	for (const Block& block : result.blocks) {
+	for (std::size_t i = 0; i < result.blocks.size(); ++i) {
+		const Block& block = result.blocks[i];
 		LayerContent content;
 		content.label =
 		    QString::fromStdString(blockLabel(block.operation, names[0].label, names[1].label));
-		content.points = &block.points;
-		content.triangles = &block.triangles;
-		content.faux = &block.faux;
+		content.surface = &block;
+		if (transfer != nullptr) {
+			content.writeAttributes = [&result, &block, transfer, i](Monitor& monitor,
+			                                                         MeshModel& layer) {
+				return transfer->write(block, result.sources[i], result.turned, monitor, layer);
+			};
+		}
 		contents.push_back(std::move(content));
 	}
 	if (request.curves)
@@ -63,8 +91,13 @@ std::vector<int> idsOf(const std::vector<MeshModel*>& layers) {
 }
 
 std::vector<std::string> findings(const BooleanResult& result, bool curves,
-                                  const AdapterSeconds& seconds, const LayerNames& names) {
+                                  const AttributeTransfer* transfer, const AdapterSeconds& seconds,
+                                  const LayerNames& names) {
 	std::vector<std::string> messages = operandMessages(result.turned, result.duplicates, names);
+	if (transfer != nullptr) {
+		for (std::string& message : transfer->messages(names))
+			messages.push_back(std::move(message));
+	}
 	for (std::size_t i = 0; i < result.blocks.size(); ++i) {
 		const Block& block = result.blocks[i];
 		messages.push_back(block.triangles.empty()
@@ -83,12 +116,14 @@ FilterOutput generateIndexBoolean(const ParameterValues& values, MeshDocument& d
                                   HostCallback* callback) {
 	const Stopwatch total;
 	const OperandLayers operands = findOperandLayers(kFilter, values, document);
-	const BooleanRequest request{readOptions(values), readOperations(values),
-	                             values.getBool("curves")};
+	BooleanRequest request{
+	    readOptions(values), readOperations(values), values.getBool("curves"), {}, {}, {}};
 	Progress progress(progressCallback(callback));
 	AdapterSeconds seconds{};
 
 	OperandArrays read = readOperands(operands, progress);
+	const std::unique_ptr<AttributeTransfer> transfer =
+	    attributeTransfer(values, operands, request, read);
 	seconds.readLayers = total.seconds();
 
 	BooleanResult result;
@@ -96,13 +131,14 @@ FilterOutput generateIndexBoolean(const ParameterValues& values, MeshDocument& d
 
 	const Stopwatch writing;
 	std::vector<MeshModel*> layers;
-	const std::vector<LayerContent> contents = contentsOf(result, request, read, operands.names);
+	const std::vector<LayerContent> contents =
+	    contentsOf(result, request, read, transfer.get(), operands.names);
 	refuseUnlessOk(addLayers(contents, progress, document, layers), operands.names);
 	seconds.writeLayers = writing.seconds();
 
 	seconds.total = total.seconds();
 	return {resultMap(result, idsOf(layers), seconds),
-	        findings(result, request.curves, seconds, operands.names)};
+	        findings(result, request.curves, transfer.get(), seconds, operands.names)};
 }
 
 }  // namespace index_boolean

@@ -4,6 +4,7 @@
 // Parameters in, layers and result map out. The steps are in generateIndexBooleanSplit.
 #include "generate_index_boolean_split.h"
 
+#include "attribute_transfer.h"
 #include "layers.h"
 #include "messages.h"
 #include "operand_layers.h"
@@ -18,6 +19,7 @@ namespace index_boolean {
 namespace {
 
 constexpr FilterId kFilter = FilterId::GenerateIndexBooleanSplit;
+constexpr double kSourcesShare = 0.05;
 
 SplitRequest readRequest(const ParameterValues& values) {
 	SplitRequest request;
@@ -32,33 +34,23 @@ SplitRequest readRequest(const ParameterValues& values) {
 	return request;
 }
 
-// Faces are numbered by the core as it was given them; here they get their positions in the layers.
-ScalarAttribute sourceFaces(const SplitLayer& layer, const OperandArrays& read) {
-	const auto of = [&layer](FaceNumber number) -> const std::vector<std::int32_t>& {
-		return layer.numbers[static_cast<std::size_t>(number)];
-	};
-	const std::vector<std::int32_t>&meshes = of(FaceNumber::SourceMesh),
-	      &faces = of(FaceNumber::SourceFace);
-	ScalarAttribute attribute{kFaceNumberNames[static_cast<std::size_t>(FaceNumber::SourceFace)],
-	                          {}};
-	for (std::size_t i = 0; i < faces.size(); ++i) {
-		const LiveElements& live = read.faces[static_cast<std::size_t>(meshes[i])];
-		attribute.values.push_back(
-		    static_cast<std::int32_t>(live[static_cast<std::size_t>(faces[i])]));
-	}
-	return attribute;
+// The attributes that this filter itself writes, beside those of where elements come from.
+std::vector<const char*> attributeNames() {
+	return {kFaceNumberNames.begin(), kFaceNumberNames.end()};
 }
 
-LayerContent contentOf(const SplitLayer& layer, const OperandArrays& read) {
+// The pieces' colours give way to the faces' own, if they have any.
+LayerContent contentOf(const SplitLayer& layer, const AttributeSources& sources,
+                       const AttributeTransfer& transfer) {
 	LayerContent content;
 	content.label = QString::fromStdString(layer.label);
-	content.points = &layer.points;
-	content.triangles = &layer.triangles;
+	content.surface = &layer;
+	content.writeAttributes = [&](Monitor& monitor, MeshModel& model) {
+		return transfer.write(layer, sources, {false, false}, monitor, model);
+	};
 	for (std::size_t k = 0; k < layer.numbers.size(); ++k) {
-		if (static_cast<FaceNumber>(k) == FaceNumber::SourceFace)
-			content.faceAttributes.push_back(sourceFaces(layer, read));
-		else if (static_cast<FaceNumber>(k) != FaceNumber::SubBlock ||
-		         layer.kind == PieceKind::SubBlocks)
+		if (static_cast<FaceNumber>(k) != FaceNumber::SubBlock ||
+		    layer.kind == PieceKind::SubBlocks)
 			content.faceAttributes.push_back({kFaceNumberNames[k], layer.numbers[k]});
 	}
 	for (const Colour& c : layer.colours)
@@ -67,11 +59,29 @@ LayerContent contentOf(const SplitLayer& layer, const OperandArrays& read) {
 }
 
 std::vector<LayerContent> contentsOf(const std::vector<SplitLayer>& layers,
-                                     const OperandArrays& read) {
+                                     const std::vector<AttributeSources>& sources,
+                                     const AttributeTransfer& transfer) {
 	std::vector<LayerContent> contents;
-	for (const SplitLayer& layer : layers)
-		contents.push_back(contentOf(layer, read));
+	for (std::size_t i = 0; i < layers.size(); ++i)
+		contents.push_back(contentOf(layers[i], sources[i], transfer));
 	return contents;
+}
+
+// Of each layer's elements; its vertices part at the operands' seams.
+Status findSources(const AttributeTransfer& transfer, Progress& progress, SplitResult& result,
+                   std::vector<SplitLayer>& layers, std::vector<AttributeSources>& sources) {
+	const Stopwatch time;
+	Monitor monitor = progress.nextPhase(kSourcesShare);
+	Seams seams;
+	Status status = operandSeams(result.arrangement, transfer.givenTriangles(),
+	                             transfer.sameAttributes(), monitor, seams);
+	sources.resize(layers.size());
+	for (std::size_t i = 0; i < layers.size() && status.ok(); ++i) {
+		status = attributeSources(result.arrangement, transfer.givenTriangles(), seams,
+		                          transfer.needs(), monitor, layers[i], sources[i]);
+	}
+	result.stageTimes.push_back({"attributes", time.seconds()});
+	return status;
 }
 
 PieceLayers layersByKind(const std::vector<SplitLayer>& layers,
@@ -83,10 +93,13 @@ PieceLayers layersByKind(const std::vector<SplitLayer>& layers,
 }
 
 std::vector<std::string> findings(const SplitResult& result, const SplitRequest& request,
-                                  const AdapterSeconds& seconds, const LayerNames& names) {
+                                  const AttributeTransfer& transfer, const AdapterSeconds& seconds,
+                                  const LayerNames& names) {
 	const Arrangement& arrangement = result.arrangement;
 	std::vector<std::string> messages =
 	    operandMessages(arrangement.turned, arrangement.duplicates, names);
+	for (std::string& message : transfer.messages(names))
+		messages.push_back(std::move(message));
 	for (std::size_t operand = 0; operand < 2; ++operand) {
 		if (request.subSurfaces[operand])
 			messages.push_back(subSurfacesMessage(result, operand, names));
@@ -110,19 +123,25 @@ FilterOutput generateIndexBooleanSplit(const ParameterValues& values, MeshDocume
 	AdapterSeconds seconds{};
 
 	OperandArrays read = readOperands(operands, progress);
+	AttributeOptions attributes;
+	attributes.reserved = attributeNames();
+	const AttributeTransfer transfer(operands.layers, read, attributes);
 	seconds.readLayers = total.seconds();
 
 	SplitResult result;
 	refuseDefect(runSplit(std::move(read.arrays), request, progress, result), read, operands);
 
 	const Stopwatch writing;
-	const std::vector<SplitLayer> layers = splitLayers(result, request, operands.names);
+	std::vector<SplitLayer> layers = splitLayers(result, request, operands.names);
+	std::vector<AttributeSources> sources;
+	refuseUnlessOk(findSources(transfer, progress, result, layers, sources), operands.names);
 	std::vector<MeshModel*> added;
-	refuseUnlessOk(addLayers(contentsOf(layers, read), progress, document, added), operands.names);
+	refuseUnlessOk(addLayers(contentsOf(layers, sources, transfer), progress, document, added),
+	               operands.names);
 	seconds.writeLayers = writing.seconds();
 	seconds.total = total.seconds();
 	return {resultMap(result, layersByKind(layers, added), seconds),
-	        findings(result, request, seconds, operands.names)};
+	        findings(result, request, transfer, seconds, operands.names)};
 }
 
 }  // namespace index_boolean

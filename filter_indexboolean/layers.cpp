@@ -49,15 +49,18 @@ private:
 	std::vector<MeshModel*> layers_;
 };
 
-template <class Elements>
-std::size_t sizeOf(const Elements* elements) {
-	return elements == nullptr ? 0 : elements->size();
+const std::vector<Point>& pointsOf(const LayerContent& content) {
+	return content.surface != nullptr ? content.surface->points : content.curves->points;
+}
+
+std::size_t faceCountOf(const LayerContent& content) {
+	return content.surface != nullptr ? content.surface->triangles.size() : 0;
 }
 
 std::size_t elementCount(const std::vector<LayerContent>& contents) {
 	std::size_t count = 0;
 	for (const LayerContent& content : contents)
-		count += sizeOf(content.points) + sizeOf(content.triangles) + sizeOf(content.edges);
+		count += pointsOf(content).size() + faceCountOf(content);
 	return count;
 }
 
@@ -81,25 +84,34 @@ void writeFaceColours(const std::vector<vcg::Color4b>& colours, MeshModel& layer
 		layer.cm.face[i].C() = colours[i];
 }
 
-// Fills a layer that has room for the content's vertices and faces.
-Status fillLayer(const LayerContent& content, Monitor& monitor, MeshModel& layer) {
-	static const std::vector<IndexedTriangle> kNoTriangles;
-	Status status = fillSurface(*content.points,
-	                            content.triangles != nullptr ? *content.triangles : kNoTriangles,
-	                            monitor, layer.cm);
-	if (status.ok() && sizeOf(content.faux) > 0) {
-		status = fillFauxEdges(*content.faux, monitor, layer.cm);
+Status fillWithSurface(const LayerContent& content, Monitor& monitor, MeshModel& layer) {
+	const SourcedMesh& surface = *content.surface;
+	Status status = fillSurface(surface.points, surface.triangles, monitor, layer.cm);
+	if (status.ok() && !surface.faux.empty()) {
+		status = fillFauxEdges(surface.faux, monitor, layer.cm);
 		layer.updateDataMask(MeshModel::MM_POLYGONAL);
 	}
 	if (!status.ok())
 		return status;
-	if (content.edges != nullptr)
-		addEdges(*content.edges, layer.cm);
+	writeFaceColours(content.faceColours, layer);
+	return content.writeAttributes
+	           ? content.writeAttributes(monitor, layer)
+	           : fillVertexNormals(surface.points, surface.triangles, monitor, layer.cm);
+}
+
+// Fills a layer that has room for the content's vertices and faces.
+Status fillLayer(const LayerContent& content, Monitor& monitor, MeshModel& layer) {
+	Status status;
+	if (content.surface != nullptr) {
+		status = fillWithSurface(content, monitor, layer);
+	} else {
+		status = fillSurface(content.curves->points, {}, monitor, layer.cm);
+		addEdges(content.curves->edges, layer.cm);
+	}
 	for (const ScalarAttribute& attribute : content.vertexAttributes)
 		writeVertexAttribute(attribute, layer.cm);
 	for (const ScalarAttribute& attribute : content.faceAttributes)
 		writeFaceAttribute(attribute, layer.cm);
-	writeFaceColours(content.faceColours, layer);
 	return status;
 }
 
@@ -110,8 +122,7 @@ Status fillLayers(const std::vector<LayerContent>& contents, Monitor& monitor,
 	const std::size_t grain = elementCount(contents) > kElementGrain ? 1 : contents.size();
 	const auto allocate = [&](std::size_t begin, std::size_t end) {
 		for (std::size_t i = begin; i < end; ++i) {
-			allocateSurface(sizeOf(contents[i].points), sizeOf(contents[i].triangles),
-			                layers[i]->cm);
+			allocateSurface(pointsOf(contents[i]).size(), faceCountOf(contents[i]), layers[i]->cm);
 		}
 	};
 	Status status = parallelFor(contents.size(), grain, 0, monitor, allocate);
@@ -130,7 +141,7 @@ Status readLayers(const std::array<MeshModel*, 2>& layers, Progress& progress, O
 		for (std::size_t k = 0; k < layers.size() && status.ok(); ++k) {
 			const CMeshO& mesh = layers[k]->cm;
 			status = appendOperand(mesh, mesh.Tr, static_cast<int>(k), monitor, out.arrays,
-			                       out.faces[k]);
+			                       out.elements[k]);
 		}
 		return status;
 	} catch (const std::bad_alloc&) {

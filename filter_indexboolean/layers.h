@@ -7,19 +7,22 @@
 
 #include "progress.h"
 
+#include <vcg_ext/curve_lines.h>
 #include <vcg_ext/mesh_arrays_vcg.h>
+#include <vcg_ext/sourced_mesh.h>
 
 #include <host_document.h>
 
 #include <array>
+#include <functional>
 #include <vector>
 
 namespace index_boolean {
 
-// Both operands as the core reads them, and which faces of the layers their faces are.
+// Both operands as the core reads them, and which elements of the layers theirs are.
 struct OperandArrays {
 	MeshArrays arrays;
-	std::array<LiveElements, 2> faces;
+	std::array<OperandElements, 2> elements;
 };
 
 // Reads both layers with their matrices applied. The layers are not changed.
@@ -36,15 +39,16 @@ struct ScalarAttribute {
 	std::vector<std::int32_t> values;
 };
 
-// What a new layer holds: a surface, or polylines. The arrays are borrowed; nullptr: there is none.
+// What a new layer holds: a surface, or polylines. What is pointed to is borrowed.
 struct LayerContent {
 	QString label;  // the host appends a number to a label that is taken
-	const std::vector<Point>* points = nullptr;
-	const std::vector<IndexedTriangle>* triangles = nullptr;
-	const std::vector<std::uint8_t>* faux = nullptr;  // per face, as in MeshArrays
-	const std::vector<IndexedEdge>* edges = nullptr;
+	const SourcedMesh* surface = nullptr;
+	const CurveLines* curves = nullptr;
 	std::vector<ScalarAttribute> vertexAttributes, faceAttributes;
 	std::vector<vcg::Color4b> faceColours;  // empty: the faces have none
+	// Writes the vertices' normals, and whatever the operands carry. Empty: normals are those of
+	// the faces.
+	std::function<Status(Monitor&, MeshModel&)> writeAttributes;
 };
 
 // Adds a layer for each content, in order, and makes the first one current. Unless Ok, the document

@@ -160,6 +160,15 @@ std::string duplicatesMessage(const LayerName& layer, std::size_t takenOnce,
 	return text + ".";
 }
 
+std::string lackingAttributesMessage(const LayerName& layer,
+                                     const std::vector<std::string>& attributes) {
+	std::string list = attributes.front();
+	for (std::size_t i = 1; i < attributes.size(); ++i)
+		list += (i + 1 == attributes.size() ? " and " : ", ") + attributes[i];
+	return "Layer " + quoted(layer) + " has no " + list +
+	       ": what comes of it has MeshLab's default there.";
+}
+
 std::string blockMessage(const Block& block, const BlockMeasure& measure,
                          const LayerNames& layers) {
 	return "\"" + blockLabel(block.operation, layers[0].label, layers[1].label) +

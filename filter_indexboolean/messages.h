@@ -14,6 +14,7 @@
 
 #include <array>
 #include <string>
+#include <vector>
 
 namespace index_boolean {
 
@@ -43,6 +44,10 @@ std::string turnedMessage(const LayerName& layer);
 // equal to another, `cancelledPairs` of opposite ones. Not both are 0.
 std::string duplicatesMessage(const LayerName& layer, std::size_t takenOnce,
                               std::size_t cancelledPairs);
+
+// The layer does not carry these attributes, which the other one does. At least one.
+std::string lackingAttributesMessage(const LayerName& layer,
+                                     const std::vector<std::string>& attributes);
 
 // What a block is like, for those who see the log and not the result map.
 std::string blockMessage(const Block& block, const BlockMeasure& measure, const LayerNames& layers);

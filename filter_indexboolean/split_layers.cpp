@@ -19,8 +19,9 @@ std::vector<std::int32_t>& numbersOf(FaceNumber number, SplitLayer& layer) {
 	return layer.numbers[static_cast<std::size_t>(number)];
 }
 
-void append(FaceNumber number, std::size_t value, SplitLayer& layer) {
-	numbersOf(number, layer).push_back(static_cast<std::int32_t>(value));
+template <class T>
+void append(const std::vector<T>& more, std::vector<T>& all) {
+	all.insert(all.end(), more.begin(), more.end());
 }
 
 SplitLayer emptyLayer(PieceKind kind, const LayerNames& names) {
@@ -35,15 +36,20 @@ SplitLayer emptyLayer(PieceKind kind, const LayerNames& names) {
 void appendMesh(const SplitMesh& mesh, std::int32_t block, const SplitResult& result,
                 SplitLayer& layer) {
 	const auto first = static_cast<std::uint32_t>(layer.points.size());
-	layer.points.insert(layer.points.end(), mesh.points.begin(), mesh.points.end());
+	append(mesh.points, layer.points);
+	append(mesh.vertexSource, layer.vertexSource);
+	append(mesh.faceSource, layer.faceSource);
+	if (!mesh.faux.empty() || !layer.faux.empty()) {
+		layer.faux.resize(layer.triangles.size(), 0);
+		append(mesh.faux, layer.faux);
+		layer.faux.resize(layer.faceSource.size(), 0);
+	}
 	for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
 		const auto& [a, b, c] = mesh.triangles[i];
 		layer.triangles.push_back({first + a, first + b, first + c});
 		const FaceId source = mesh.faceSource[i].face;
 		const auto operand = static_cast<std::size_t>(result.arrangement.mesh.operandOf(source));
 		const SubSurface& surface = at(result.split.surfaces.all, mesh.subSurface[i]);
-		append(FaceNumber::SourceMesh, operand, layer);
-		append(FaceNumber::SourceFace, result.arrangement.givenFace(source), layer);
 		numbersOf(FaceNumber::SubSurface, layer).push_back(surface.number[operand]);
 		numbersOf(FaceNumber::BlockFront, layer).push_back(mesh.beside[i][0]);
 		numbersOf(FaceNumber::BlockBack, layer).push_back(mesh.beside[i][1]);
@@ -80,6 +86,9 @@ public:
 			for (std::size_t corner = 0; corner < 3; ++corner)
 				triangle[corner] = number(whole_.triangles[face][corner], layer);
 			layer.triangles.push_back(triangle);
+			layer.faceSource.push_back(whole_.faceSource[face]);
+			if (!whole_.faux.empty())
+				layer.faux.push_back(whole_.faux[face]);
 			layer.colours.push_back(whole_.colours[face]);
 			for (std::size_t k = 0; k < layer.numbers.size(); ++k) {
 				if (!whole_.numbers[k].empty())
@@ -100,6 +109,7 @@ private:
 		if (local_[vertex] == kUnused) {
 			local_[vertex] = static_cast<std::uint32_t>(layer.points.size());
 			layer.points.push_back(whole_.points[vertex]);
+			layer.vertexSource.push_back(whole_.vertexSource[vertex]);
 			used_.push_back(vertex);
 		}
 		return local_[vertex];

@@ -18,22 +18,18 @@ using Colour = std::array<std::uint8_t, 3>;
 
 // The numbers of a face, which users see as scalar attributes of these names; -1: outside, or none.
 enum class FaceNumber : std::uint8_t {
-	SourceMesh,
-	SourceFace,  // as the core was given it
 	SubSurface,
 	BlockFront,
 	BlockBack,
 	SubBlock,
 };
-constexpr int kFaceNumberCount = 6;
+constexpr int kFaceNumberCount = 4;
 constexpr std::array<const char*, kFaceNumberCount> kFaceNumberNames{
-    {"source_mesh", "source_face", "sub_surface", "block_front", "block_back", "sub_block"}};
+    {"sub_surface", "block_front", "block_back", "sub_block"}};
 
-struct SplitLayer {
+struct SplitLayer : SourcedMesh {
 	PieceKind kind;
 	std::string label;
-	std::vector<Point> points;
-	std::vector<std::array<std::uint32_t, 3>> triangles;
 	// Per FaceNumber and face; SubBlock is empty but for layers of sub-blocks.
 	std::array<std::vector<std::int32_t>, kFaceNumberCount> numbers;
 	std::vector<Colour> colours;  // per face

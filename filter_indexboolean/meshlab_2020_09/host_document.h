@@ -6,8 +6,11 @@
 
 #include <common/meshmodel.h>
 
+#include <QDir>
+#include <QFileInfo>
 #include <QVariant>
 
+#include <string>
 #include <vector>
 
 namespace index_boolean {
@@ -25,6 +28,31 @@ inline MeshModel* findLayer(MeshDocument& document, int id) { return document.ge
 
 inline void deleteLayer(MeshDocument& document, const MeshModel& layer) {
 	document.delMesh(document.getMesh(layer.id()));
+}
+
+// This host keeps no pictures: the name is that of the file.
+struct LayerTexture {
+	std::string name;
+
+	friend bool operator==(const LayerTexture& a, const LayerTexture& b) {
+		return a.name == b.name;
+	}
+};
+
+// In the order of the layer's list. A name that is relative to the layer's file is made absolute,
+// since a new layer has no file.
+inline std::vector<LayerTexture> texturesOf(const MeshModel& layer) {
+	std::vector<LayerTexture> textures;
+	for (const std::string& name : layer.cm.textures) {
+		const QFileInfo beside(QFileInfo(layer.fullName()).absoluteDir(),
+		                       QString::fromStdString(name));
+		textures.push_back({beside.exists() ? beside.absoluteFilePath().toStdString() : name});
+	}
+	return textures;
+}
+
+inline void addTexture(const LayerTexture& texture, MeshModel& layer) {
+	layer.cm.textures.push_back(texture.name);
 }
 
 // A list of numbers in a filter's result; this host shows no results.

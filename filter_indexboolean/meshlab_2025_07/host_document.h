@@ -7,8 +7,10 @@
 #include <common/ml_document/mesh_document.h>
 #include <common/plugins/interfaces/filter_plugin.h>
 
+#include <QImage>
 #include <QVariant>
 
+#include <string>
 #include <vector>
 
 namespace index_boolean {
@@ -28,6 +30,27 @@ inline MeshModel* findLayer(MeshDocument& document, int id) {
 
 inline void deleteLayer(MeshDocument& document, const MeshModel& layer) {
 	document.delMesh(static_cast<unsigned int>(layer.id()));
+}
+
+struct LayerTexture {
+	std::string name;
+	QImage picture;
+
+	friend bool operator==(const LayerTexture& a, const LayerTexture& b) {
+		return a.name == b.name && a.picture == b.picture;
+	}
+};
+
+// In the order of the layer's list.
+inline std::vector<LayerTexture> texturesOf(const MeshModel& layer) {
+	std::vector<LayerTexture> textures;
+	for (const std::string& name : layer.cm.textures)
+		textures.push_back({name, layer.getTexture(name)});
+	return textures;
+}
+
+inline void addTexture(const LayerTexture& texture, MeshModel& layer) {
+	layer.addTexture(texture.name, texture.picture);
 }
 
 // A list of numbers in a filter's result: a numpy array in Python.
