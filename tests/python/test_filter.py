@@ -35,6 +35,7 @@ STAGES = (
     "clean",
     "polygons",
     "audit",
+    "attributes",
 )
 
 # Boxes of volume 8 and 3.375 that share a box of volume 0.65625, in general position.
@@ -238,7 +239,7 @@ class TestLayers:
 
     def test_newLayersHaveUnitNormalsAndABox(self):
         mesh_set = document(sphere(), sphere((0.5, 0.3, 0.2)))
-        result = mesh_set.generate_index_boolean()
+        result = mesh_set.generate_index_boolean(transfer_attributes=False)
         for block in BLOCKS:
             mesh = mesh_set.mesh(result[f"{block}_layer"])
             vertices, faces = arrays_of(mesh)

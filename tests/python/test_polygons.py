@@ -94,6 +94,37 @@ def test_uncutQuadsOfASphereMinusABoxStayQuads():
         assert sum(tuple(low) in polygon for polygon in got) == cut_walls
 
 
+@pytest.mark.parametrize("separate", (False, True))
+def test_piecesOfASplitKeepTheirQuads(separate):
+    """Uncut quads stay; a cut wall of the box is a polygon on each side of the cut."""
+    wall = np.array([(0.5, -2, -2), (0.5, 2, -2), (0.5, 2, 2), (0.5, -2, 2)]), [[0, 1, 2, 3]]
+    mesh_set = document(quad_box((0, -1, -1), (1, 1, 1)), wall)
+    result = mesh_set.generate_index_boolean_split(separate_layers=separate)
+    surfaces = [mesh_set.mesh(int(k)) for k in result["sub_surfaces_first_layers"]]
+    blocks = [mesh_set.mesh(int(k)) for k in result["sub_blocks_layers"]]
+    halves = {4: 1, 5: 4}  # an uncut wall, and half of each of four with a point on its diagonal
+    both = [{4: 2, 5: 8}]
+    assert [sizes_of(mesh) for mesh in surfaces] == ([halves] * 2 if separate else both)
+    closed = {**halves, 8: 1}  # and the part of the sheet that closes it
+    both = [{4: 2, 5: 8, 8: 2}]
+    assert [sizes_of(mesh) for mesh in blocks] == ([closed] * 2 if separate else both)
+    for mesh in blocks:
+        assert mesh_laws.unmatched_edges(mesh.vertex_matrix(), mesh.face_matrix()) == 0
+
+
+def test_aSphereOfQuadsCutByASheetKeepsUncutOnes():
+    sheet = np.array([(-2, -2, 0.3), (2, -2, 0.3), (2, 2, 0.3), (-2, 2, 0.3)]), [[0, 1, 2, 3]]
+    mesh_set = document(quad_sphere(), sheet)
+    given = polygons_of(mesh_set.mesh(0))
+    heights = {polygon: [z for _, _, z in polygon] for polygon in given}
+    uncut = {polygon for polygon, z in heights.items() if min(z) > 0.3 or max(z) < 0.3}
+    assert len(uncut) == len(given) - SECTORS
+    result = mesh_set.generate_index_boolean_split()
+    for kind in ("sub_surfaces_first", "sub_blocks"):
+        got = polygons_of(mesh_set.mesh(result[f"{kind}_layer"]))
+        assert uncut <= set(got)
+
+
 def test_aBoxOfQuadsCutByAnotherHasNoNeedlessPoint():
     mesh_set = document(quad_box((0, 0, 0), (4, 4, 4)), quad_box((2, 2, 2), (5, 5, 5)))
     result = mesh_set.generate_index_boolean()
