@@ -244,6 +244,12 @@ TEST(Seams, areNotWhereAnOperandTouchesItself) {
 	EXPECT_TRUE(isClosed(s.block.triangles));
 	EXPECT_TRUE(isManifold(s.block.triangles));
 	EXPECT_EQ(s.block.points.size(), s.blocks.block(Operation::FirstMinusSecond).points.size());
+	Options options;
+	options.weldNonManifold = true;
+	const Sources welded =
+	    sourcesOf(touching, away, Operation::FirstMinusSecond, kNeverSame, false, options);
+	expectTrue(welded);
+	EXPECT_EQ(mostCopies(welded.block), 1u);
 }
 
 TEST(DuplicatedCurve, givesEachOperandItsOwnVertices) {
