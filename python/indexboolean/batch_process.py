@@ -9,6 +9,7 @@ one of its daemons, which may have no children of that kind.
 
 import dataclasses
 import json
+import os
 import queue
 import signal
 import subprocess
@@ -39,7 +40,9 @@ class JobProcess:
 
     def __init__(self, limits, environment=None):
         self._limits = limits
-        self._environment = environment
+        self._environment = {**os.environ, **(environment or {})}
+        if limits.memory:  # else glibc sets 64 MB of address space aside for each thread
+            self._environment.setdefault("MALLOC_ARENA_MAX", "2")
         self._process = None
         self._closed = False
         self._lock = threading.Lock()
