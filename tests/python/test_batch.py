@@ -162,9 +162,9 @@ def test_jobThatHangsIsGivenUp(tmp_path):
 
 
 def test_memoryOfEachProcessIsCapped(tmp_path):
-    large = [saved(tmp_path / f"{n}.ply", sphere((0.4 * n, 0.1, 0), 1, 7)) for n in range(2)]
+    large = [saved(tmp_path / f"{n}.ply", sphere((0.4 * n, 0.1, 0), 1, 8)) for n in range(2)]
     table = write_table(tmp_path / "jobs.csv", [(*large, "large"), (*PAIR, "small")])
-    capped = run(table, tmp_path / "out", "--memory", "480M", "--workers", "1")
+    capped = run(table, tmp_path / "out", "--memory", "600M", "--workers", "1")
     assert capped.returncode == 3, capped.stderr
     assert statuses(tmp_path / "out") == {"large": "out_of_memory", "small": "done"}
     assert "memory" in results(tmp_path / "out")["large"]["message"]
