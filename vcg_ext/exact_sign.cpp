@@ -225,7 +225,7 @@ const Point* cornerLevelWith(const ExactPoint& p, std::size_t axis) {
 		// Along its axis the second line need not meet the first.
 		return levelOf(0, 2) != nullptr || axis == p.axis ? levelOf(0, 2) : levelOf(2, 2);
 	case ExactPoint::Form::ThreePlanes:
-		for (const std::size_t plane : {0, 3, 6}) {
+		for (const std::size_t plane : {0u, 3u, 6u}) {
 			if (const Point* corner = levelOf(plane, 3))
 				return corner;
 		}
