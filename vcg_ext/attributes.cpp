@@ -43,6 +43,7 @@ private:
 	int cornerOfName(const Triangle& given, std::uint32_t id) const;
 	int zeroCorner(const Triangle& given, VertexId v) const;
 	std::array<double, 3> weightsIn(const Triangle& given, std::uint32_t vertex) const;
+	bool placeIn(FaceId face, std::uint32_t vertex, Place& place) const;
 
 	const Arrangement& arrangement_;
 	const GivenTriangles& given_;
@@ -146,35 +147,36 @@ std::array<double, 3> clamped(std::array<double, 3> weights) {
 	return weights;
 }
 
+// Fills the vertex's place in one face. \return whether it lies in that face
+bool Locator::placeIn(FaceId face, std::uint32_t vertex, Place& place) const {
+	const Triangle given = givenTriangle(face);
+	place = {face, {}, true};
+	if (const int corner = cornerOf(given, vertex); corner >= 0) {
+		place.weights[static_cast<std::size_t>(corner)] = 1;
+	} else {
+		place.weights = weightsIn(given, vertex);
+		place.isThere = isInside(place.weights);
+	}
+	return place.isThere;
+}
+
 // A face that was merged with others of its polygon may have corners outside of its own source:
 // they lie in another triangle of the polygon.
 Place Locator::locate(FaceId face, std::uint32_t vertex) const {
-	const auto unit = [](int corner) {
-		std::array<double, 3> weights{};
-		weights[static_cast<std::size_t>(corner)] = 1;
-		return weights;
-	};
-	const Triangle given = givenTriangle(face);
-	if (const int corner = cornerOf(given, vertex); corner >= 0) {
-		return {face, unit(corner), true};
+	Place own, other;
+	if (placeIn(face, vertex, own)) {
+		return own;
 	}
-	const std::array<double, 3> weights = weightsIn(given, vertex);
-	if (isInside(weights)) {
-		return {face, weights, true};
-	}
-	const std::uint32_t part = begin_.empty() ? 0 : at(arrangement_.polygons.flat, face).value;
-	for (std::uint32_t i = begin_.empty() ? 0 : begin_[part];
-	     !begin_.empty() && i < begin_[part + 1]; ++i) {
-		const Triangle other = givenTriangle(members_[i]);
-		if (const int corner = cornerOf(other, vertex); corner >= 0) {
-			return {members_[i], unit(corner), true};
-		}
-		const std::array<double, 3> inOther = weightsIn(other, vertex);
-		if (isInside(inOther)) {
-			return {members_[i], inOther, true};
+	if (!members_.empty()) {
+		const std::uint32_t part = at(arrangement_.polygons.flat, face).value;
+		for (std::uint32_t i = begin_[part]; i < begin_[part + 1]; ++i) {
+			if (placeIn(members_[i], vertex, other)) {
+				return other;
+			}
 		}
 	}
-	return {face, clamped(weights), false};
+	own.weights = clamped(own.weights);
+	return own;
 }
 
 // The operand of a corner, and the sides of seams that its vertices as given are on, whatever their
@@ -189,7 +191,7 @@ public:
 	    : arrangement_(arrangement), locator_(locator), seams_(seams), partCurve_(partCurve),
 	      mesh_(mesh) {}
 
-	void run();
+	Status run(Monitor& monitor);
 
 private:
 	struct Stranger {  // a corner that stands for something else than the first at its vertex
@@ -202,7 +204,7 @@ private:
 		return static_cast<std::uint32_t>(arrangement_.mesh.operandOf(mesh_.faceSource[face].face));
 	}
 	bool findIdentity(std::size_t face, std::uint32_t vertex, Identity& identity) const;
-	void listStrangers(std::uint32_t operand);
+	void listStrangers(std::uint32_t face);
 	void addVertices();
 
 	const Arrangement& arrangement_;
@@ -237,24 +239,19 @@ bool Parting::findIdentity(std::size_t face, std::uint32_t vertex, Identity& ide
 	return place.isThere;
 }
 
-void Parting::listStrangers(std::uint32_t operand) {
-	for (std::uint32_t f = 0; f < mesh_.triangles.size(); ++f) {
-		for (std::uint32_t i = 0; i < 3 && operandOf(f) == operand; ++i) {
-			const std::uint32_t v = mesh_.triangles[f][i];
-			Identity& first = first_[v];
-			const bool isOthers = first[0] != kNone && first[0] != operand;
-			if (isOthers && !partCurve_) {
-				continue;
-			}
-			Identity identity;
-			if (!findIdentity(f, v, identity)) {
-				continue;
-			}
-			if (first[0] == kNone) {
-				first = identity;
-			} else if (identity != first) {
-				strangers_.push_back({v, identity, f, i});
-			}
+void Parting::listStrangers(std::uint32_t face) {
+	for (std::uint32_t i = 0; i < 3; ++i) {
+		const std::uint32_t v = mesh_.triangles[face][i];
+		Identity& first = first_[v];
+		const bool isOthers = first[0] != kNone && first[0] != operandOf(face);
+		Identity identity;
+		if ((isOthers && !partCurve_) || !findIdentity(face, v, identity)) {
+			continue;
+		}
+		if (first[0] == kNone) {
+			first = identity;
+		} else if (identity != first) {
+			strangers_.push_back({v, identity, face, i});
 		}
 	}
 }
@@ -277,14 +274,27 @@ void Parting::addVertices() {
 	}
 }
 
-void Parting::run() {
+// The first operand's faces come first: a vertex of both is theirs.
+Status Parting::run(Monitor& monitor) {
+	Status status;
 	if (!partCurve_ && !seams_.any()) {
-		return;
+		return status;
 	}
 	first_.assign(mesh_.points.size(), Identity{kNone, kNone, kNone, kNone});
-	listStrangers(0);
-	listStrangers(1);
-	addVertices();
+	for (std::uint32_t operand = 0; operand < 2 && status.ok(); ++operand) {
+		status = inOrderFor(mesh_.triangles.size(), kGrain, monitor,
+		                    [&](std::size_t begin, std::size_t end) {
+			                    for (std::size_t f = begin; f < end; ++f) {
+				                    if (operandOf(f) == operand) {
+					                    listStrangers(static_cast<std::uint32_t>(f));
+				                    }
+			                    }
+		                    });
+	}
+	if (status.ok()) {
+		addVertices();
+	}
+	return status;
 }
 
 class SourceFinder {
@@ -442,6 +452,9 @@ Status SourceFinder::run(bool corners) {
 	if (status.ok()) {
 		status = chooseFaces();
 	}
+	if (status.ok() && std::find(chosen_.begin(), chosen_.end(), kNone) != chosen_.end()) {
+		status.code = StatusCode::InternalError;  // a vertex without a face: no mesh of this core's
+	}
 	if (status.ok()) {
 		status = findVertices();
 	}
@@ -458,8 +471,9 @@ Status findAttributeSources(const Arrangement& arrangement, const GivenTriangles
                             SourcedMesh& mesh, AttributeSources& out) {
 	out = AttributeSources{};
 	const Locator locator(arrangement, given, mesh);
-	Parting(arrangement, locator, seams, needs.partCurve, mesh).run();
-	return SourceFinder(arrangement, locator, monitor, mesh, out).run(needs.corners);
+	const Status status = Parting(arrangement, locator, seams, needs.partCurve, mesh).run(monitor);
+	return status.ok() ? SourceFinder(arrangement, locator, monitor, mesh, out).run(needs.corners)
+	                   : status;
 }
 
 }  // namespace index_boolean

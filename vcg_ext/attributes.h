@@ -49,7 +49,7 @@ struct AttributeNeeds {
 // coordinates are welded.
 // \param mesh  gets copies of vertices; its surface stays the same
 // \param out   replaced; only meaningful if the status is Ok
-// \return Ok, Cancelled, OutOfMemory
+// \return Ok, Cancelled, OutOfMemory, or InternalError: a vertex of the mesh has no face
 // Complexity: O(n) for n faces, O(k log k) for k corners that are none of their given face.
 Status findAttributeSources(const Arrangement& arrangement, const GivenTriangles& given,
                             const Seams& seams, AttributeNeeds needs, Monitor& monitor,

@@ -210,18 +210,18 @@ TEST(Seams, stayApartAlsoAtNewVertices) {
 	const Sources apart = sourcesOf(walls, other, Operation::FirstMinusSecond);
 	expectTrue(apart);
 	EXPECT_EQ(mostCopies(apart.block), 3u);
-	std::map<Point, std::set<std::size_t>> walls_of;  // of the first operand, at each place
+	std::map<Point, std::set<std::size_t>> wallsOf;  // of the first operand, at each place
 	std::map<Point, std::set<std::uint32_t>> verticesAt;
 	for (std::size_t f = 0; f < apart.block.triangles.size(); ++f) {
 		for (const std::uint32_t v : apart.block.triangles[f]) {
 			if (apart.sources.face[f].operand == 0) {
-				walls_of[apart.block.points[v]].insert(apart.sources.face[f].index / 2);
+				wallsOf[apart.block.points[v]].insert(apart.sources.face[f].index / 2);
 				verticesAt[apart.block.points[v]].insert(v);
 			}
 		}
 	}
 	bool anyNew = false;
-	for (const auto& [place, wallsThere] : walls_of) {
+	for (const auto& [place, wallsThere] : wallsOf) {
 		EXPECT_EQ(verticesAt[place].size(), wallsThere.size());
 		const bool isCorner =
 		    std::find(plain.points.begin(), plain.points.end(), place) != plain.points.end();
