@@ -4,6 +4,7 @@
 // A seam is found by its edges: two faces meet there, and name an end of it by two vertices.
 #include "seams.h"
 
+#include "bucket_sort.h"
 #include "parallel.h"
 #include "union_find.h"
 
@@ -37,7 +38,7 @@ private:
 	Status findPlaces(std::size_t operand);
 	Status listEdges(std::size_t operand);
 	void compareEnds(VertexId a, VertexId b);
-	void compareEdges();
+	Status compareEdges();
 	void joinOthers();
 
 	const Arrangement& arrangement_;
@@ -127,10 +128,16 @@ void SeamFinder::compareEnds(VertexId a, VertexId b) {
 	}
 }
 
-void SeamFinder::compareEdges() {
-	std::sort(edges_.begin(), edges_.end(), [](const GivenEdge& a, const GivenEdge& b) {
-		return a.low != b.low ? a.low < b.low : a.high < b.high;
-	});
+Status SeamFinder::compareEdges() {
+	const Status status = bucketSort(
+	    edges_, mesh_.points.size(), [](const GivenEdge& e) { return e.low; },
+	    [](const GivenEdge& a, const GivenEdge& b) {
+		    return a.low != b.low ? a.low < b.low : a.high < b.high;
+	    },
+	    arrangement_.options.threads, monitor_);
+	if (!status.ok()) {
+		return status;
+	}
 	for (std::size_t i = 0, end = 0; i < edges_.size(); i = end) {
 		while (end < edges_.size() && edges_[end].sameEdge(edges_[i])) {
 			++end;
@@ -140,6 +147,7 @@ void SeamFinder::compareEdges() {
 			compareEnds(edges_[i].givenHigh, edges_[i + 1].givenHigh);
 		}
 	}
+	return status;
 }
 
 // Vertices in one place that no chain of seams connects need not be apart.
@@ -171,7 +179,9 @@ Status SeamFinder::run(Seams& out) {
 		if (status.ok()) {
 			status = listEdges(operand);
 		}
-		compareEdges();
+		if (status.ok()) {
+			status = compareEdges();
+		}
 		joinOthers();
 	}
 	sides_.flatten();
