@@ -69,7 +69,7 @@ private:
 	Status roundPoints();
 	Status collectTouchedFaces();
 	Status collectPointsOnEdges();
-	void collectCutEdges();
+	Status collectCutEdges();
 	bool sortAlongEdge(const CutEdge& edge, VertexId* points) const;
 	Status sortPointsOnEdges();
 	Status refuseCoincidentPoints(const CutEdge& edge) const;
@@ -77,7 +77,7 @@ private:
 	void addLine(VertexId begin, VertexId end, std::uint32_t contact);
 	void addOverlap(std::uint32_t contact);
 	Status numberSegments();
-	void findIrregularPoints();
+	Status findIrregularPoints();
 
 	// As std::sort, for items with few equal keys in [0, keyCount).
 	template <class Item, class KeyOf, class Before>
@@ -187,7 +187,7 @@ Status Welder::collectPointsOnEdges() {
 	return status;
 }
 
-void Welder::collectCutEdges() {
+Status Welder::collectCutEdges() {
 	std::uint32_t interval = 0;
 	for (const EdgePoint& e : edgePoints_) {
 		const bool isNewEdge = curve_.cutEdges.empty() || curve_.cutEdges.back().low != e.low ||
@@ -202,6 +202,7 @@ void Welder::collectCutEdges() {
 			++interval;
 		}
 	}
+	return {};
 }
 
 // The axis along which an edge is longest: coordinates grow or fall strictly along it.
@@ -377,7 +378,7 @@ Status Welder::numberSegments() {
 }
 
 // Regular is a new point at which two segments meet, each the crossing of two faces.
-void Welder::findIrregularPoints() {
+Status Welder::findIrregularPoints() {
 	constexpr std::uint8_t kIrregular = 1;
 	curve_.irregular = curve_.onOther;
 	for (std::size_t v = 0; v < mesh_.quietVertices.size(); ++v) {
@@ -396,31 +397,18 @@ void Welder::findIrregularPoints() {
 		const bool regular = curve_.names[p].kind == PointKind::EdgeFace && crossings[p] == 2;
 		curve_.irregular.push_back(regular ? 0 : kIrregular);
 	}
+	return {};
 }
 
 Status Welder::run() {
-	Status status = numberPoints();
-	if (status.ok()) {
-		status = roundPoints();
-	}
-	if (status.ok()) {
-		status = collectTouchedFaces();
-	}
-	if (status.ok()) {
-		status = collectPointsOnEdges();
-	}
-	if (status.ok()) {
-		collectCutEdges();
-		status = sortPointsOnEdges();
-	}
-	if (status.ok()) {
-		status = collectLines();
-	}
-	if (status.ok()) {
-		status = numberSegments();
-	}
-	if (status.ok()) {
-		findIrregularPoints();
+	using Step = Status (Welder::*)();
+	constexpr std::array<Step, 9> kSteps{
+	    {&Welder::numberPoints, &Welder::roundPoints, &Welder::collectTouchedFaces,
+	     &Welder::collectPointsOnEdges, &Welder::collectCutEdges, &Welder::sortPointsOnEdges,
+	     &Welder::collectLines, &Welder::numberSegments, &Welder::findIrregularPoints}};
+	Status status;
+	for (std::size_t i = 0; i < kSteps.size() && status.ok(); ++i) {
+		status = (this->*kSteps[i])();
 	}
 	return status;
 }
