@@ -94,7 +94,7 @@ void appendBytes(const vcg::TexCoord2<Scalar, 1>& value, std::string& key) {
 	appendBytes(value.N(), key);
 }
 
-// The parts of a column that speak of an operand without the attribute.
+// Appends the first value. \return whether all three are the same
 template <class Value>
 bool appendConstant(const std::array<Value, 3>& values, std::string& key) {
 	appendBytes(values[0], key);

@@ -116,8 +116,10 @@ FilterOutput generateIndexBoolean(const ParameterValues& values, MeshDocument& d
                                   HostCallback* callback) {
 	const Stopwatch total;
 	const OperandLayers operands = findOperandLayers(kFilter, values, document);
-	BooleanRequest request{
-	    readOptions(values), readOperations(values), values.getBool("curves"), {}, {}, {}};
+	BooleanRequest request;
+	request.options = readOptions(values);
+	request.operations = readOperations(values);
+	request.curves = values.getBool("curves");
 	Progress progress(progressCallback(callback));
 	AdapterSeconds seconds{};
 
