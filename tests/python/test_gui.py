@@ -143,7 +143,7 @@ def apply(meshlab, chosen, dialog_picture):
 @contextlib.contextmanager
 def both_samples_opened(tmp_path):
     """(MeshLab 2025.07 with two layers, the folder that it is started in)"""
-    folder = fresh_folder(TREE / "root/test")
+    folder = fresh_folder(TREE / "srv/test")
     install_for_window_2025()
     files = [f"{name}.ply" for name in NAMES]
     with gui_driver.screen() as screen, window_2025(
@@ -182,7 +182,7 @@ def test_window2025AddsTheFourBlocks(tmp_path):
     with both_samples_opened(tmp_path) as (meshlab, folder):
         show_menu(meshlab)
         apply(meshlab, BOOLEAN, "gui_dialog.png")
-        meshlab.save_project_and_all_layers("/root/test/result.mlp")
+        meshlab.save_project_and_all_layers("/srv/test/result.mlp")
         show_only(meshlab, 4, 6, "gui_result.png")
     expect_project(folder, BOOLEAN)
     core, _ = core_in_float(samples(), tmp_path)
@@ -194,7 +194,7 @@ def test_window2025AddsTheFourBlocks(tmp_path):
 def test_window2025AddsSubSurfacesAndSubBlocksWithTheirColours(tmp_path):
     with both_samples_opened(tmp_path) as (meshlab, folder):
         apply(meshlab, SPLIT, "gui_split_dialog.png")
-        meshlab.save_project_and_all_layers("/root/test/result.mlp")
+        meshlab.save_project_and_all_layers("/srv/test/result.mlp")
         show_only(meshlab, 4, 5, "gui_split_result.png")
     expect_project(folder, SPLIT)
     in_double = Split(*samples())
@@ -210,8 +210,8 @@ def test_window2025AddsSubSurfacesAndSubBlocksWithTheirColours(tmp_path):
 def test_window2025AddsTheCurvesAsEdges(tmp_path):
     with both_samples_opened(tmp_path) as (meshlab, folder):
         apply(meshlab, CURVE, "gui_curves_dialog.png")
-        meshlab.save_project_and_all_layers("/root/test/result.mlp")
-        meshlab.save_current_layer("/root/test/curves.obj")
+        meshlab.save_project_and_all_layers("/srv/test/result.mlp")
+        meshlab.save_current_layer("/srv/test/curves.obj")
         meshlab.hide_layer(0)
         picture(meshlab.screen, "gui_curves_result.png")
     expect_project(folder, CURVE)
@@ -223,7 +223,7 @@ def test_window2025AddsTheCurvesAsEdges(tmp_path):
 
 
 def test_window2025SaysWhyItRefusesALayerAndGoesOn(tmp_path):
-    folder = fresh_folder(TREE / "root/test")
+    folder = fresh_folder(TREE / "srv/test")
     write_with_a_hole(folder / "open.ply")
     install_for_window_2025()
     with gui_driver.screen() as screen, window_2025(
