@@ -24,23 +24,23 @@ constexpr double kMax = std::numeric_limits<double>::max();
 
 // Where a vertex sets its bits.
 struct PlaceBits {
-	std::size_t word;
+	std::size_t cell;
 	std::uint64_t mask;
 };
 
-// The places of one operand's vertices: each sets two bits of a word. Threads add at the same time.
+// The places of both operands' vertices: each sets two bits of a word of its operand. Threads add
+// at the same time.
 class PlaceSieve {
 public:
-	// A word for four to eight vertices.
+	// A word for four to eight vertices of the larger operand.
 	explicit PlaceSieve(std::size_t vertexCount) {
 		while (vertexCount >> shift_ > 8)
 			++shift_;
-		once_ = std::vector<Word>(std::size_t{1} << shift_);
-		twice_ = std::vector<Word>(std::size_t{1} << shift_);
+		cells_ = std::vector<Cell>(std::size_t{1} << shift_);
 	}
 
 	// From the upper half of a sum of products, since coordinates may end in many zeros; the same
-	// for 0 and -0.
+	// for 0 and -0. Lets the processor fetch what add() and mayShare() need.
 	PlaceBits bitsOf(const Point& p) const {
 		constexpr std::array<std::uint64_t, 3> kFactors{0x9e3779b97f4a7c15U, 0xd6e8feb86659fd93U,
 		                                                0xa0761d6478bd642fU};
@@ -52,32 +52,34 @@ public:
 			hash += (bits ^ bits >> 32) * kFactors[axis];
 		}
 		constexpr std::uint64_t kOne = 1;
-		return {static_cast<std::size_t>(hash >> 12 >> (52 - shift_)),
-		        kOne << (hash >> 26 & 63) | kOne << (hash >> 20 & 63)};
-	}
-
-	// Whether a vertex may have been added there; whether two may have been.
-	bool has(PlaceBits bits) const { return has(once_, bits); }
-	bool hasTwo(PlaceBits bits) const { return has(twice_, bits); }
-
-	// Lets the processor fetch what add() needs.
-	void prefetch([[maybe_unused]] PlaceBits bits) const {
+		const auto cell = static_cast<std::size_t>(hash >> 12 >> (52 - shift_));
 #ifdef __GNUC__
-		__builtin_prefetch(&once_[bits.word], 1);
+		__builtin_prefetch(&cells_[cell], 1);
 #endif
+		return {cell, kOne << (hash >> 26 & 63) | kOne << (hash >> 20 & 63)};
 	}
 
 	// Of two vertices that are added with the same bits, at the same time or not, one finds them.
-	void add(PlaceBits bits) {
-		if (set(once_[bits.word], bits.mask))
-			set(twice_[bits.word], bits.mask);
+	void add(std::size_t operand, PlaceBits bits) {
+		Cell& cell = cells_[bits.cell];
+		if (set(cell.once[operand], bits.mask))
+			set(cell.twice[operand], bits.mask);
+	}
+
+	// Once all are added: whether this one may have another in its place.
+	bool mayShare(std::size_t operand, PlaceBits bits) const {
+		const Cell& cell = cells_[bits.cell];
+		return has(cell.twice[operand], bits.mask) || has(cell.once[1 - operand], bits.mask);
 	}
 
 private:
 	using Word = std::atomic<std::uint64_t>;
+	struct Cell {  // per operand: the bits that any vertex has set, and that two have
+		std::array<Word, 2> once, twice;
+	};
 
-	static bool has(const std::vector<Word>& words, PlaceBits bits) {
-		return (words[bits.word].load(std::memory_order_relaxed) & bits.mask) == bits.mask;
+	static bool has(const Word& word, std::uint64_t mask) {
+		return (word.load(std::memory_order_relaxed) & mask) == mask;
 	}
 
 	// \return whether the bits had been set before
@@ -89,7 +91,7 @@ private:
 	}
 
 	unsigned shift_ = 4;
-	std::vector<Word> once_, twice_;
+	std::vector<Cell> cells_;
 };
 
 // Vertices by their coordinates: open addressing with linear probing, at most half full.
@@ -136,50 +138,49 @@ Status forEachVertexRange(const MeshArrays& mesh, int threads, Monitor& monitor,
 	                   });
 }
 
-// Adds the vertices [begin, end). \return whether all their coordinates are at most `most`
-bool addPlaces(const std::vector<Point>& points, std::size_t begin, std::size_t end, double most,
-               PlaceSieve& sieve) {
-	// The memory of some vertices' words is asked for before the first of them is waited for.
+// Calls use(vertex, bits) for the vertices [begin, end): the memory of some of them is asked for
+// before the first is waited for.
+template <class Use>
+void askAhead(const std::vector<Point>& points, std::size_t begin, std::size_t end,
+              const PlaceSieve& sieve, Use&& use) {
 	constexpr std::size_t kAhead = 16;
 	std::array<PlaceBits, kAhead> bits{};
-	bool within = true;
 	for (std::size_t first = begin; first < end; first += kAhead) {
 		const std::size_t count = std::min(kAhead, end - first);
-		for (std::size_t i = 0; i < count; ++i) {
-			within &= isWithin(points[first + i], most);
-			bits[i] = sieve.bitsOf(points[first + i]);
-			sieve.prefetch(bits[i]);
-		}
 		for (std::size_t i = 0; i < count; ++i)
-			sieve.add(bits[i]);
+			bits[i] = sieve.bitsOf(points[first + i]);
+		for (std::size_t i = 0; i < count; ++i)
+			use(first + i, bits[i]);
 	}
-	return within;
 }
 
 }  // namespace
 
 Status CornerWelder::findSuspects(double most, bool& inRange) {
 	const std::vector<Point>& points = mesh_.points;
-	std::array<PlaceSieve, 2> sieves{PlaceSieve(mesh_.vertexBegin[1]),
-	                                 PlaceSieve(points.size() - mesh_.vertexBegin[1])};
+	const std::size_t second = mesh_.vertexBegin[1];
+	PlaceSieve sieve(std::max(second, points.size() - second));
 	std::atomic<bool> allInRange{true};
-	Status status = forEachVertexRange(
-	    mesh_, threads_, monitor_, [&](std::size_t operand, std::size_t begin, std::size_t end) {
-		    if (!addPlaces(points, begin, end, most, sieves[operand]))
-			    allInRange = false;
-	    });
-	inRange = allInRange;
+	const auto add = [&](std::size_t operand, std::size_t begin, std::size_t end) {
+		bool within = true;
+		askAhead(points, begin, end, sieve, [&](std::size_t v, PlaceBits bits) {
+			within &= isWithin(points[v], most);
+			sieve.add(operand, bits);
+		});
+		if (!within)
+			allInRange = false;
+	};
 	std::vector<std::vector<std::uint32_t>> found(2 * chunkCount(points.size(), kGrain));
 	const auto find = [&](std::size_t operand, std::size_t begin, std::size_t end) {
-		const PlaceSieve &own = sieves[operand], &other = sieves[1 - operand];
-		for (std::size_t v = begin; v < end; ++v) {
-			if ((own.hasTwo(own.bitsOf(points[v])) || other.has(other.bitsOf(points[v]))) &&
-			    isWithin(points[v], kMax))
+		askAhead(points, begin, end, sieve, [&](std::size_t v, PlaceBits bits) {
+			if (sieve.mayShare(operand, bits) && isWithin(points[v], kMax))
 				found[2 * (v / kGrain) + operand].push_back(static_cast<std::uint32_t>(v));
-		}
+		});
 	};
+	Status status = forEachVertexRange(mesh_, threads_, monitor_, add);
 	if (status.ok())
 		status = forEachVertexRange(mesh_, threads_, monitor_, find);
+	inRange = allInRange;
 	for (std::size_t i = 0; i < found.size(); ++i)
 		suspects_[i % 2].insert(suspects_[i % 2].end(), found[i].begin(), found[i].end());
 	return status;

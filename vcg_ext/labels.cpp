@@ -88,8 +88,7 @@ void Labeller::uniteFaces(std::size_t operand) {
 		}
 		if (isCut[f] == 0) {
 			label[t[0].value] = label[t[1].value] = label[t[2].value] = Label::Unknown;
-			nodes_.unite(t[0].value, t[1].value);
-			nodes_.unite(t[1].value, t[2].value);
+			nodes_.unite({t[0].value, t[1].value, t[2].value});
 		}
 	}
 }
@@ -175,8 +174,8 @@ void Labeller::findComponents() {
 		if (mesh_.quietFaces[f] != Twin::None) {
 			const auto operand = static_cast<std::size_t>(mesh_.operandOf({f}));
 			const Triangle& t = mesh_.triangles[f];
-			components_.unite(cornerNode(operand, t[0]), cornerNode(operand, t[1]));
-			components_.unite(cornerNode(operand, t[1]), cornerNode(operand, t[2]));
+			components_.unite({cornerNode(operand, t[0]), cornerNode(operand, t[1]),
+			                   cornerNode(operand, t[2])});
 		}
 	}
 	components_.flatten();

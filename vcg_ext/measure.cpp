@@ -33,8 +33,7 @@ Totals lookAt(const Corners* begin, const Corners* end, const std::vector<Point>
 		const auto [a, b, c] = *t;
 		addTriangle(frame.map(points[a]), frame.map(points[b]), frame.map(points[c]), totals.sums);
 		totals.boundary += boundaryTerm(a, b, c);
-		sets.unite(a, b);
-		sets.unite(b, c);
+		sets.unite(*t);
 	}
 	return totals;
 }
