@@ -155,29 +155,6 @@ struct Outcome {
 	SplitAudit splitAudit;
 };
 
-MeshArrays copyIn(const Operands& operands) {
-	MeshArrays arrays;
-	for (std::size_t k = 0; k < 2; ++k) {
-		arrays.vertexBegin[k + 1] =
-		    arrays.vertexBegin[k] + static_cast<std::uint32_t>(operands[k].points.size());
-		arrays.faceBegin[k + 1] =
-		    arrays.faceBegin[k] + static_cast<std::uint32_t>(operands[k].triangles.size());
-	}
-	resizeHuge(arrays.points, arrays.vertexBegin[2]);
-	resizeHuge(arrays.triangles, arrays.faceBegin[2]);
-	for (std::size_t k = 0; k < 2; ++k) {
-		const std::uint32_t begin = arrays.vertexBegin[k];
-		std::copy(operands[k].points.begin(), operands[k].points.end(),
-		          arrays.points.begin() + begin);
-		std::transform(operands[k].triangles.begin(), operands[k].triangles.end(),
-		               arrays.triangles.begin() + arrays.faceBegin[k], [begin](const auto& t) {
-			               return Triangle{VertexId{begin + t[0]}, VertexId{begin + t[1]},
-			                               VertexId{begin + t[2]}};
-		               });
-	}
-	return arrays;
-}
-
 // The stages after the arrangement. \return the status of the first that failed
 Status readBlocks(const Arrangement& arrangement, const std::vector<Operation>& operations,
                   StopWatch& stage, Outcome& out) {
@@ -231,11 +208,16 @@ Outcome runOnce(const Operands& operands, const Options& options,
 	Arrangement arrangement;
 	Monitor monitor;
 	StopWatch total, stage;
-	MeshArrays input = copyIn(operands);
+	MeshArrays input;
+	outcome.status = joinSurfaces({viewOf(operands[0].points, operands[0].triangles),
+	                               viewOf(operands[1].points, operands[1].triangles)},
+	                              options.threads, monitor, input);
 	outcome.stages.emplace_back("copy in", stage.lap());
-	outcome.status = operations.empty()
-	                     ? arrangeSurfaces(std::move(input), options, monitor, arrangement)
-	                     : arrange(std::move(input), options, monitor, arrangement);
+	if (outcome.status.ok()) {
+		outcome.status = operations.empty()
+		                     ? arrangeSurfaces(std::move(input), options, monitor, arrangement)
+		                     : arrange(std::move(input), options, monitor, arrangement);
+	}
 	stage.lap();
 	if (outcome.status.ok()) {
 		for (const StageTime& time : arrangement.stageTimes) {

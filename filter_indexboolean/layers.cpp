@@ -49,7 +49,7 @@ private:
 	std::vector<MeshModel*> layers_;
 };
 
-const std::vector<Point>& pointsOf(const LayerContent& content) {
+const Points& pointsOf(const LayerContent& content) {
 	return content.surface != nullptr ? content.surface->points : content.curves->points;
 }
 

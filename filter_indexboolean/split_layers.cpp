@@ -19,8 +19,8 @@ std::vector<std::int32_t>& numbersOf(FaceNumber number, SplitLayer& layer) {
 	return layer.numbers[static_cast<std::size_t>(number)];
 }
 
-template <class T>
-void append(const std::vector<T>& more, std::vector<T>& all) {
+template <class Array>
+void append(const Array& more, Array& all) {
 	all.insert(all.end(), more.begin(), more.end());
 }
 

@@ -96,7 +96,7 @@ struct CutEdge {
 // sorted by name, cut edges by their vertices, segments by their first pair of faces.
 struct Curve {
 	std::vector<PointName> names;       // of the new points
-	std::vector<Point> rounded;         // their coordinates, correctly rounded to double
+	Points rounded;                     // their coordinates, correctly rounded to double
 	std::vector<std::uint8_t> onOther;  // per input vertex: it lies on the other operand
 	std::vector<FaceId> touchedFaces;   // sorted
 	std::vector<CutEdge> cutEdges;
@@ -133,7 +133,7 @@ struct SegmentSide {
 // Both surfaces refined by the curve.
 struct Refinement {
 	std::vector<CutFace> cutFaces;  // sorted by face
-	std::vector<Triangle> pieces;
+	Triangles pieces;
 	std::vector<NodeId> pieceRegion;                 // per piece
 	std::vector<SegmentSide> sides;                  // sorted by segment, then by face
 	std::vector<std::array<NodeId, 2>> links;        // nodes that have one label: (region, other)

@@ -77,7 +77,7 @@ bool Locator::isAt(VertexId input, std::uint32_t vertex) const {
 	if (source == input) {
 		return true;
 	}
-	const std::vector<Point>& points = arrangement_.mesh.points;
+	const Points& points = arrangement_.mesh.points;
 	return source.value < points.size() && at(points, source) == at(points, input);
 }
 
@@ -92,7 +92,7 @@ int Locator::cornerOf(const Triangle& given, std::uint32_t vertex) const {
 
 // The corner of a given triangle at the place of an input vertex, or -1.
 int Locator::cornerOfName(const Triangle& given, std::uint32_t id) const {
-	const std::vector<Point>& points = arrangement_.mesh.points;
+	const Points& points = arrangement_.mesh.points;
 	for (int j = 0; j < 3; ++j) {
 		if (at(points, given[static_cast<std::size_t>(j)]) == points[id]) {
 			return j;
@@ -119,7 +119,7 @@ int Locator::zeroCorner(const Triangle& given, VertexId v) const {
 }
 
 std::array<double, 3> Locator::weightsIn(const Triangle& given, std::uint32_t vertex) const {
-	const std::vector<Point>& points = arrangement_.mesh.points;
+	const Points& points = arrangement_.mesh.points;
 	const VertexId v = mesh_.vertexSource[vertex];
 	const ExactPoint point = v == VertexId::none() ? ExactPoint::explicitPoint(mesh_.points[vertex])
 	                                               : exactPoint(arrangement_, v);

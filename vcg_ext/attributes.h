@@ -27,7 +27,7 @@ struct AttributeSources {
 	std::vector<GivenFace> face;  // per face
 	// Per face and corner: which corner of the given face it is, or 3 + the index of a mix. Empty
 	// unless asked for.
-	std::vector<std::array<std::uint32_t, 3>> corner;
+	IndexTriangles corner;
 	// Per vertex: a vertex as given, or, from vertexCount on, vertexCount + the index of a mix; and
 	// whether the faces that it stands for have been turned over.
 	std::vector<std::uint32_t> vertex;

@@ -132,8 +132,8 @@ Status Collector::collectVertices() {
 	}
 	newIndex_ = makeHuge<std::uint32_t>(n + arrangement_.curve.pointCount());
 	const std::vector<VertexId> onOther = keptOnOther();
-	reserveHuge(out_.points, begins.back() + onOther.size());
-	reserveHuge(out_.vertexSource, begins.back() + onOther.size());
+	out_.points.reserve(begins.back() + onOther.size());
+	out_.vertexSource.reserve(begins.back() + onOther.size());
 	out_.points.resize(begins.back());
 	out_.vertexSource.resize(begins.back());
 	status = parallelForChunks(
@@ -247,8 +247,8 @@ Status Collector::collectFaces() {
 		return status;
 	}
 	const std::size_t most = begins.back() + arrangement_.refinement.pieces.size();
-	reserveHuge(out_.triangles, most);
-	reserveHuge(out_.faceSource, most);
+	out_.triangles.reserve(most);
+	out_.faceSource.reserve(most);
 	out_.triangles.resize(begins.back());
 	out_.faceSource.resize(begins.back());
 	return parallelForChunks(

@@ -97,8 +97,8 @@ struct Neighbourhood {
 
 // The surface to be cleaned, and how to go through it.
 struct Surface {
-	const std::vector<Point>& points;
-	std::vector<IndexTriangle>& triangles;
+	const Points& points;
+	IndexTriangles& triangles;
 	int threads;
 	Monitor& monitor;
 };
@@ -106,7 +106,7 @@ struct Surface {
 // The faces that have a corner for which wanted(corner) is true, ascending.
 template <class Wanted>
 Status facesAt(const Surface& surface, const Wanted& wanted, std::vector<std::uint32_t>& out) {
-	const std::vector<IndexTriangle>& triangles = surface.triangles;
+	const IndexTriangles& triangles = surface.triangles;
 	std::vector<std::vector<std::uint32_t>> found(chunkCount(triangles.size(), kGrain));
 	const Status status =
 	    parallelForChunks(triangles.size(), kGrain, surface.threads, surface.monitor,
@@ -127,8 +127,7 @@ void sortUnique(std::vector<std::uint32_t>& values) {
 	values.erase(std::unique(values.begin(), values.end()), values.end());
 }
 
-Neighbourhood numberLocally(const std::vector<IndexTriangle>& triangles,
-                            const std::vector<std::uint32_t>& near,
+Neighbourhood numberLocally(const IndexTriangles& triangles, const std::vector<std::uint32_t>& near,
                             const std::vector<std::uint32_t>& zeroAreaFaces) {
 	std::vector<std::uint32_t> vertices;
 	vertices.reserve(3 * near.size());
@@ -152,7 +151,7 @@ Neighbourhood numberLocally(const std::vector<IndexTriangle>& triangles,
 
 // Ranks the corners of zero-area faces lexicographically. Along a line this is the order of its
 // points, and points of equal rank coincide (0 and -0 are equal): from here on only indices.
-void rankCorners(const std::vector<Point>& points, Neighbourhood& local) {
+void rankCorners(const Points& points, Neighbourhood& local) {
 	std::vector<std::uint32_t> corners;
 	for (const LocalFace& face : local.faces) {
 		if (face.zeroArea)
@@ -289,7 +288,7 @@ private:
 	void listSites();
 
 	Neighbourhood& local_;
-	std::vector<IndexTriangle> faces_;            // alive zero-area faces, by local vertices
+	IndexTriangles faces_;                        // alive zero-area faces, by local vertices
 	Partition clusters_;                          // of faces_
 	std::vector<std::uint32_t> begin_, facesAt_;  // the faces at a local vertex
 	std::vector<std::uint32_t> again_;            // faces to be looked at
@@ -298,8 +297,8 @@ private:
 	std::vector<Site> sites_;
 };
 
-std::vector<IndexTriangle> aliveZeroAreaFaces(const Neighbourhood& local) {
-	std::vector<IndexTriangle> faces;
+IndexTriangles aliveZeroAreaFaces(const Neighbourhood& local) {
+	IndexTriangles faces;
 	for (const LocalFace& face : local.faces) {
 		if (face.alive && face.zeroArea)
 			faces.push_back(face.corners);
@@ -390,7 +389,7 @@ void Clusters::inside(std::uint32_t u, std::uint32_t v, std::vector<std::uint32_
 // that edge gives triangles with area. So no piece has zero area, nor two corners at one place.
 class Splitter {
 public:
-	Splitter(const std::vector<Point>& points, const Clusters& clusters, Neighbourhood& local)
+	Splitter(const Points& points, const Clusters& clusters, Neighbourhood& local)
 	    : points_(points), clusters_(clusters), local_(local) {}
 
 	// \return whether the face is beside a cluster that has vertices inside the face's edges; then
@@ -402,7 +401,7 @@ private:
 	void fan(std::uint32_t from, std::uint32_t first, const std::vector<std::uint32_t>& middle,
 	         std::uint32_t last);
 
-	const std::vector<Point>& points_;
+	const Points& points_;
 	const Clusters& clusters_;
 	Neighbourhood& local_;
 	std::uint32_t origin_ = 0;
@@ -542,7 +541,7 @@ std::size_t closeHoles(const std::uint32_t* begin, const std::uint32_t* end, std
 // Writes the faces back: those that stay keep their places; pieces take the places of faces that
 // went, then new ones at the end; or else the last faces fill the places left.
 void writeBack(const Neighbourhood& local, const std::vector<std::uint32_t>& representative,
-               std::vector<IndexTriangle>& triangles, Relocation& relocation) {
+               IndexTriangles& triangles, Relocation& relocation) {
 	std::vector<std::uint32_t> holes;
 	std::vector<std::size_t> pieces;
 	for (std::size_t i = 0; i < local.faces.size(); ++i) {
@@ -611,8 +610,8 @@ Status clean(const Surface& surface, const std::vector<std::uint32_t>& zeroAreaF
 	return status;
 }
 
-Status remove(const std::vector<std::uint32_t>& vertices, const Surface& surface,
-              std::vector<Point>& points, Relocation& relocated) {
+Status remove(const std::vector<std::uint32_t>& vertices, const Surface& surface, Points& points,
+              Relocation& relocated) {
 	std::vector<Relocation::Move>& moves = relocated.moves;
 	moves.reserve(vertices.size());
 	const std::size_t count =
@@ -640,9 +639,9 @@ Status remove(const std::vector<std::uint32_t>& vertices, const Surface& surface
 
 }  // namespace
 
-Status cleanSurface(const std::vector<Point>& points,
-                    const std::vector<std::uint32_t>& zeroAreaFaces, int threads, Monitor& monitor,
-                    std::vector<IndexTriangle>& triangles, CleanResult& result) try {
+Status cleanSurface(const Points& points, const std::vector<std::uint32_t>& zeroAreaFaces,
+                    int threads, Monitor& monitor, IndexTriangles& triangles,
+                    CleanResult& result) try {
 	result = CleanResult();
 	result.faces.count = triangles.size();
 	return zeroAreaFaces.empty()
@@ -653,16 +652,15 @@ Status cleanSurface(const std::vector<Point>& points,
 }
 
 Status removeVertices(const std::vector<std::uint32_t>& vertices, int threads, Monitor& monitor,
-                      std::vector<Point>& points, std::vector<IndexTriangle>& triangles,
-                      Relocation& relocated) try {
+                      Points& points, IndexTriangles& triangles, Relocation& relocated) try {
 	relocated = Relocation();
 	return remove(vertices, {points, triangles, threads, monitor}, points, relocated);
 } catch (const std::bad_alloc&) {
 	return statusOf(StatusCode::OutOfMemory);
 }
 
-Status cleanMesh(FaceRange range, int threads, Monitor& monitor, std::vector<Point>& points,
-                 std::vector<IndexTriangle>& triangles, CleanResult& result) {
+Status cleanMesh(FaceRange range, int threads, Monitor& monitor, Points& points,
+                 IndexTriangles& triangles, CleanResult& result) {
 	std::vector<std::uint32_t> zeroAreaFaces;
 	Status status = findZeroAreaFaces(points, triangles, range, threads, monitor, zeroAreaFaces);
 	if (status.ok())

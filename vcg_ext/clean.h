@@ -25,9 +25,9 @@ struct Relocation {
 	std::vector<Move> moves;
 
 	// Carries out the changes on any array parallel to the one that changed. O(moves).
-	template <class T>
-	void apply(std::vector<T>& elements) const {
-		std::vector<T> moved;
+	template <class Array>
+	void apply(Array& elements) const {
+		Array moved;
 		moved.reserve(moves.size());
 		for (const Move& move : moves)
 			moved.push_back(elements[move.from]);
@@ -58,9 +58,8 @@ struct CleanResult {
 // \return Ok, Cancelled, OutOfMemory, InternalError, or TooLarge: more than 2^31 - 1 faces
 // Complexity: O(1) if there is no zero-area face; else one parallel pass over the triangles and
 // O(k log k) for k faces at the corners of zero-area faces, the faces put in their place included.
-Status cleanSurface(const std::vector<Point>& points,
-                    const std::vector<std::uint32_t>& zeroAreaFaces, int threads, Monitor& monitor,
-                    std::vector<IndexTriangle>& triangles, CleanResult& result);
+Status cleanSurface(const Points& points, const std::vector<std::uint32_t>& zeroAreaFaces,
+                    int threads, Monitor& monitor, IndexTriangles& triangles, CleanResult& result);
 
 // Finds the zero-area faces among some faces, removes them, and then the vertices that have lost
 // their last face.
@@ -69,8 +68,8 @@ Status cleanSurface(const std::vector<Point>& points,
 // \param points, triangles changed in place; meaningful only if the status is Ok
 // \param result    replaced; `looked` are numbers from before its `vertices` were relocated
 // \return as cleanSurface. Complexity: that of findZeroAreaFaces, cleanSurface and removeVertices.
-Status cleanMesh(FaceRange range, int threads, Monitor& monitor, std::vector<Point>& points,
-                 std::vector<IndexTriangle>& triangles, CleanResult& result);
+Status cleanMesh(FaceRange range, int threads, Monitor& monitor, Points& points,
+                 IndexTriangles& triangles, CleanResult& result);
 
 // Removes vertices that no face refers to; the last ones take their places.
 // \param vertices  to be removed, ascending, each once
@@ -79,7 +78,6 @@ Status cleanMesh(FaceRange range, int threads, Monitor& monitor, std::vector<Poi
 // \return Ok, Cancelled, OutOfMemory or InternalError
 // Complexity: O(1) if there is none to remove, else one parallel pass over the triangles.
 Status removeVertices(const std::vector<std::uint32_t>& vertices, int threads, Monitor& monitor,
-                      std::vector<Point>& points, std::vector<IndexTriangle>& triangles,
-                      Relocation& relocated);
+                      Points& points, IndexTriangles& triangles, Relocation& relocated);
 
 }  // namespace index_boolean

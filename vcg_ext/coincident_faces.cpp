@@ -37,7 +37,7 @@ FaceKey keyOf(const Triangle& t) {
 // The faces of the second operand all of whose corners are the first one's, by their corners.
 class FaceTable {
 public:
-	FaceTable(const std::vector<Triangle>& triangles, const std::vector<std::uint32_t>& faces)
+	FaceTable(const Triangles& triangles, const std::vector<std::uint32_t>& faces)
 	    : triangles_(triangles) {
 		std::size_t size = 16;
 		while (size < 2 * faces.size()) {
@@ -66,7 +66,7 @@ private:
 		return slot;
 	}
 
-	const std::vector<Triangle>& triangles_;
+	const Triangles& triangles_;
 	std::vector<std::uint32_t> slots_;
 };
 

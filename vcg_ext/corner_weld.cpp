@@ -97,7 +97,7 @@ private:
 // Vertices by their coordinates: open addressing with linear probing, at most half full.
 class VertexTable {
 public:
-	VertexTable(const std::vector<Point>& points, std::size_t most) : points_(points) {
+	VertexTable(const Points& points, std::size_t most) : points_(points) {
 		std::size_t size = 16;
 		while (size < 2 * most)
 			size *= 2;
@@ -123,7 +123,7 @@ private:
 		return slot;
 	}
 
-	const std::vector<Point>& points_;
+	const Points& points_;
 	std::vector<std::uint32_t> slots_;
 };
 
@@ -141,8 +141,8 @@ Status forEachVertexRange(const MeshArrays& mesh, int threads, Monitor& monitor,
 // Calls use(vertex, bits) for the vertices [begin, end): the memory of some of them is asked for
 // before the first is waited for.
 template <class Use>
-void askAhead(const std::vector<Point>& points, std::size_t begin, std::size_t end,
-              const PlaceSieve& sieve, Use&& use) {
+void askAhead(const Points& points, std::size_t begin, std::size_t end, const PlaceSieve& sieve,
+              Use&& use) {
 	constexpr std::size_t kAhead = 16;
 	std::array<PlaceBits, kAhead> bits{};
 	for (std::size_t first = begin; first < end; first += kAhead) {
@@ -157,7 +157,7 @@ void askAhead(const std::vector<Point>& points, std::size_t begin, std::size_t e
 }  // namespace
 
 Status CornerWelder::findSuspects(double most, bool& inRange) {
-	const std::vector<Point>& points = mesh_.points;
+	const Points& points = mesh_.points;
 	const std::size_t second = mesh_.vertexBegin[1];
 	PlaceSieve sieve(std::max(second, points.size() - second));
 	std::atomic<bool> allInRange{true};

@@ -23,7 +23,7 @@ struct CurveLine {
 // Each loop has vertices of its own, so that junctions are repeated.
 struct CurveLines {
 	std::vector<CurveLine> lines;                       // one for each loop
-	std::vector<Point> points;                          // as the arrangement rounds them
+	Points points;                                      // as the arrangement rounds them
 	std::vector<std::array<std::uint32_t, 2>> edges;    // indices into points
 	std::vector<std::uint32_t> line;                    // per point: its line
 	std::vector<std::array<std::uint32_t, 2>> sources;  // per point: a face of each operand, as

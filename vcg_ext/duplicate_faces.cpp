@@ -198,7 +198,7 @@ Status judgeRepeated(const Arrangement& arrangement, std::size_t operand, Monito
 		return {};
 	const MeshArrays& mesh = arrangement.mesh;
 	const Triangle* triangles = mesh.triangles.data();
-	std::vector<Triangle> repeated;
+	Triangles repeated;
 	for (const std::uint32_t face : duplicates.repeated)
 		repeated.push_back(triangles[face]);
 	std::uint64_t all = 0, ofRepeated = 0;

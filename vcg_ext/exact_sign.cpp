@@ -335,7 +335,7 @@ int orient3d(const Point& a, const Point& b, const Point& c, const Point& p) {
 	});
 }
 
-int exactVolumeSign(const std::vector<Point>& points, const Triangle* begin, const Triangle* end) {
+int exactVolumeSign(const Points& points, const Triangle* begin, const Triangle* end) {
 	const Point origin{};
 	Dyadic sum(0.0);
 	for (const Triangle* t = begin; t != end; ++t) {
@@ -503,7 +503,7 @@ int compareSlopes(const std::array<const Point*, 3>& a, const std::array<const P
 	});
 }
 
-int projectionAxis(const Triangle& triangle, const std::vector<Point>& points, int& sign) {
+int projectionAxis(const Triangle& triangle, const Points& points, int& sign) {
 	std::array<const Point*, 3> corners{&at(points, triangle[0]), &at(points, triangle[1]),
 	                                    &at(points, triangle[2])};
 	std::sort(corners.begin(), corners.end(),

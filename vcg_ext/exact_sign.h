@@ -42,7 +42,7 @@ Bounded orient3dBounded(const Point& a, const Point& b, const Point& c, const Po
 
 // The sign of six times the volume that closed triangles enclose, exactly. O(n) big numbers: for
 // where the sum of orient3dBounded cannot tell.
-int exactVolumeSign(const std::vector<Point>& points, const Triangle* begin, const Triangle* end);
+int exactVolumeSign(const Points& points, const Triangle* begin, const Triangle* end);
 
 // The sign of the component `axis` of (b-a)x(c-a): +1 for a counter-clockwise triangle seen
 // against that axis.
@@ -104,6 +104,6 @@ int compareSlopes(const std::array<const Point*, 3>& a, const std::array<const P
 // The axis along which a triangle is projected: that of the largest component of its normal, as
 // computed from its corners in lexicographic order, so that it depends on the corners only.
 // Writes the exact, non-zero sign of that component. \pre the triangle has area
-int projectionAxis(const Triangle& triangle, const std::vector<Point>& points, int& sign);
+int projectionAxis(const Triangle& triangle, const Points& points, int& sign);
 
 }  // namespace index_boolean

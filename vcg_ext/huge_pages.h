@@ -20,8 +20,8 @@ void adviseHugePages(void* memory, std::size_t bytes);
 std::size_t hugePageCapacity(std::size_t bytes);
 
 // Makes room for n items in an array. Throws std::bad_alloc.
-template <class T>
-void reserveHuge(std::vector<T>& array, std::size_t n) {
+template <class T, class Allocator>
+void reserveHuge(std::vector<T, Allocator>& array, std::size_t n) {
 	if (n > array.capacity()) {
 		array.reserve(hugePageCapacity(n * sizeof(T)) / sizeof(T));
 		adviseHugePages(array.data(), array.capacity() * sizeof(T));
@@ -40,15 +40,15 @@ std::unique_ptr<T[]> makeHuge(std::size_t n) {
 }
 
 // As reserveHuge, then makes the array as long.
-template <class T>
-void resizeHuge(std::vector<T>& array, std::size_t n) {
+template <class T, class Allocator>
+void resizeHuge(std::vector<T, Allocator>& array, std::size_t n) {
 	reserveHuge(array, n);
 	array.resize(n);
 }
 
 // As reserveHuge, then gives the array n times the value.
-template <class T>
-void assignHuge(std::vector<T>& array, std::size_t n, const T& value) {
+template <class T, class Allocator>
+void assignHuge(std::vector<T, Allocator>& array, std::size_t n, const T& value) {
 	reserveHuge(array, n);
 	array.assign(n, value);
 }

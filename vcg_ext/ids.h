@@ -8,6 +8,8 @@
 // Faces are counter-clockwise seen from outside: the solid lies behind a face.
 #pragma once
 
+#include "huge_vector.h"
+
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -33,6 +35,11 @@ using SegmentId = Id<struct SegmentTag>;  // one edge of the intersection curve
 
 using Point = std::array<double, 3>;
 using Triangle = std::array<VertexId, 3>;
+using IndexTriangle = std::array<std::uint32_t, 3>;  // of a mesh that has a numbering of its own
+
+using Points = HugeVector<Point>;
+using Triangles = HugeVector<Triangle>;
+using IndexTriangles = HugeVector<IndexTriangle>;
 
 // The next corner of a triangle in its cyclic order, and the one before.
 constexpr int nextCorner(int corner) { return corner == 2 ? 0 : corner + 1; }

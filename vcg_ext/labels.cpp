@@ -174,8 +174,8 @@ void Labeller::findComponents() {
 		if (mesh_.quietFaces[f] != Twin::None) {
 			const auto operand = static_cast<std::size_t>(mesh_.operandOf({f}));
 			const Triangle& t = mesh_.triangles[f];
-			components_.unite({cornerNode(operand, t[0]), cornerNode(operand, t[1]),
-			                   cornerNode(operand, t[2])});
+			components_.unite(
+			    {cornerNode(operand, t[0]), cornerNode(operand, t[1]), cornerNode(operand, t[2])});
 		}
 	}
 	components_.flatten();
@@ -255,7 +255,7 @@ std::vector<int> volumeSigns(const MeshArrays& mesh, std::size_t operand,
 		                            at(mesh.points, t[2]), reference);
 	}
 	std::vector<int> signs(componentCount);
-	std::vector<std::vector<Triangle>> unsure(componentCount);
+	std::vector<Triangles> unsure(componentCount);
 	for (std::size_t c = 0; c < componentCount; ++c) {
 		signs[c] = sums[c].sign();
 	}

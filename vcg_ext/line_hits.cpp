@@ -140,7 +140,7 @@ private:
 		return {std::min({a, b, c}), std::max({a, b, c})};
 	}
 	std::array<const Point*, 3> planeOf(std::uint32_t face) const {
-		const std::vector<Point>& points = arrangement_.mesh.points;
+		const Points& points = arrangement_.mesh.points;
 		const Triangle& t = at(arrangement_.mesh.triangles, complex_.faces[face].source());
 		return {&at(points, t[0]), &at(points, t[1]), &at(points, t[2])};
 	}

@@ -346,12 +346,10 @@ void Separator::addMidpoints(const std::vector<Pair>& pairs, OutputScalar scalar
 	}
 }
 
-using Corners = std::array<std::uint32_t, 3>;
-
 // The pieces of a triangle whose edge i, from corner i to the next, is cut at middles[i], or not if
 // that is kNone.
-std::vector<Corners> cutTriangle(const Corners& t, const Corners& middles,
-                                 const std::vector<Point>& points) {
+IndexTriangles cutTriangle(const IndexTriangle& t, const IndexTriangle& middles,
+                           const Points& points) {
 	const auto cuts = 3 - std::count(middles.begin(), middles.end(), kNone);
 	if (cuts == 3) {
 		return {{t[0], middles[0], middles[2]},
@@ -380,21 +378,22 @@ std::vector<Corners> cutTriangle(const Corners& t, const Corners& middles,
 bool Separator::splitFaces(std::vector<Split>& splits) {
 	std::sort(splits.begin(), splits.end(),
 	          [](const Split& a, const Split& b) { return a.face < b.face; });
-	std::vector<Corners> pieces;
+	IndexTriangles pieces;
 	std::vector<std::uint32_t> parents;
 	for (std::size_t i = 0; i < splits.size();) {
 		const std::uint32_t face = splits[i].face;
-		Corners middles{kNone, kNone, kNone};
+		IndexTriangle middles{kNone, kNone, kNone};
 		for (; i < splits.size() && splits[i].face == face; ++i) {
 			middles[splits[i].corner] = splits[i].midpoint;
 		}
-		for (const Corners& piece : cutTriangle(block_.triangles[face], middles, block_.points)) {
+		for (const IndexTriangle& piece :
+		     cutTriangle(block_.triangles[face], middles, block_.points)) {
 			pieces.push_back(piece);
 			parents.push_back(face);
 		}
 	}
 	const auto& points = block_.points;
-	if (std::any_of(pieces.begin(), pieces.end(), [&](const Corners& t) {
+	if (std::any_of(pieces.begin(), pieces.end(), [&](const IndexTriangle& t) {
 		    return hasZeroArea(points[t[0]], points[t[1]], points[t[2]]);
 	    })) {
 		return false;

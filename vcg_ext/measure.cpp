@@ -18,18 +18,16 @@ namespace {
 
 constexpr std::size_t kGrain = 8192;
 
-using Corners = std::array<std::uint32_t, 3>;
-
 // What one pass over a part of the triangles adds up.
 struct Totals {
 	SurfaceSums sums;
 	std::uint64_t boundary = 0;
 };
 
-Totals lookAt(const Corners* begin, const Corners* end, const std::vector<Point>& points,
+Totals lookAt(const IndexTriangle* begin, const IndexTriangle* end, const Points& points,
               const SumFrame& frame, ConcurrentSets& sets) {
 	Totals totals;
-	for (const Corners* t = begin; t != end; ++t) {
+	for (const IndexTriangle* t = begin; t != end; ++t) {
 		const auto [a, b, c] = *t;
 		addTriangle(frame.map(points[a]), frame.map(points[b]), frame.map(points[c]), totals.sums);
 		totals.boundary += boundaryTerm(a, b, c);
@@ -40,9 +38,7 @@ Totals lookAt(const Corners* begin, const Corners* end, const std::vector<Point>
 
 }  // namespace
 
-BlockMeasure measureSurface(const std::vector<Point>& points,
-                            const std::vector<std::array<std::uint32_t, 3>>& triangles,
-                            int threads) {
+BlockMeasure measureSurface(const Points& points, const IndexTriangles& triangles, int threads) {
 	const FpEnvironmentGuard environment;
 	BlockMeasure measure;
 	if (triangles.empty())
@@ -59,7 +55,7 @@ BlockMeasure measureSurface(const std::vector<Point>& points,
 	}
 	std::vector<Totals> parts(chunkCount(triangles.size(), kGrain));
 	if (status.ok()) {
-		const Corners* all = triangles.data();
+		const IndexTriangle* all = triangles.data();
 		status = parallelForChunks(triangles.size(), kGrain, threads, unheard,
 		                           [&](std::size_t chunk, std::size_t begin, std::size_t end) {
 			                           parts[chunk] =

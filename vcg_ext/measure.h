@@ -24,8 +24,6 @@ struct Audit {
 // The volume, area, components and closedness of an indexed triangle surface.
 // \param points, triangles a surface whose triangles index points
 // \param threads 0 = all
-BlockMeasure measureSurface(const std::vector<Point>& points,
-                            const std::vector<std::array<std::uint32_t, 3>>& triangles,
-                            int threads);
+BlockMeasure measureSurface(const Points& points, const IndexTriangles& triangles, int threads);
 
 }  // namespace index_boolean

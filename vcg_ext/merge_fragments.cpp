@@ -20,12 +20,10 @@ namespace index_boolean {
 
 namespace {
 
-using Corners = std::array<std::uint32_t, 3>;
-
 // A face at a vertex that may go. Faces of one group lie in one plane and are joined; `origin` is
 // the block's face that it is, or that it replaces with others.
 struct LocalFace {
-	Corners corners;
+	IndexTriangle corners;
 	std::uint32_t group;
 	std::uint32_t origin;
 	bool alive;
@@ -61,7 +59,7 @@ private:
 	bool liesInPolygon(VertexId v) const;
 	void keepCopies();
 	void sortCandidates();
-	std::vector<Point> linkPoints(std::uint32_t v) const;
+	Points linkPoints(std::uint32_t v) const;
 	bool findStar(std::uint32_t v, std::vector<LinkEdge>& star) const;
 	void tryRemove(std::uint32_t v);
 	bool fill(const Hole& hole, std::uint32_t v, std::vector<LocalFace>& out) const;
@@ -139,7 +137,7 @@ void Merger::collectFaces() {
 	facesAt_.resize(block_.points.size());
 	isFixed_.resize(block_.points.size());
 	for (std::size_t f = all ? 0 : block_.firstPiece; f < block_.triangles.size(); ++f) {
-		const Corners& t = block_.triangles[f];
+		const IndexTriangle& t = block_.triangles[f];
 		if (std::none_of(t.begin(), t.end(),
 		                 [this](std::uint32_t v) { return isCandidate_[v] != 0; })) {
 			continue;
@@ -223,8 +221,8 @@ void Merger::groupByPlane() {
 }
 
 // The places of a vertex's neighbours, sorted: what tells copies of one vertex apart.
-std::vector<Point> Merger::linkPoints(std::uint32_t v) const {
-	std::vector<Point> points;
+Points Merger::linkPoints(std::uint32_t v) const {
+	Points points;
 	for (const std::uint32_t face : facesAt_[v]) {
 		for (const std::uint32_t corner : faces_[face].corners) {
 			points.push_back(place(corner));
@@ -437,8 +435,8 @@ void Merger::tryRemove(std::uint32_t v) {
 // vertices out.
 void Merger::compact() {
 	std::vector<std::uint8_t> gone(block_.triangles.size(), 0);
-	std::vector<Corners> triangles;
-	std::vector<FaceSource> sources;
+	IndexTriangles triangles;
+	HugeVector<FaceSource> sources;
 	for (std::size_t f = 0; f < faces_.size(); ++f) {
 		if (f < originalCount_ && !faces_[f].alive) {
 			gone[faces_[f].origin] = 1;
@@ -475,7 +473,7 @@ void Merger::compact() {
 	block_.points.resize(count);
 	block_.vertexSource.resize(count, VertexId::none());
 	block_.suspect.resize(count);
-	for (Corners& t : block_.triangles) {
+	for (IndexTriangle& t : block_.triangles) {
 		t = {newIndex[t[0]], newIndex[t[1]], newIndex[t[2]]};
 	}
 }

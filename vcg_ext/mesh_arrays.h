@@ -7,6 +7,8 @@
 #pragma once
 
 #include "ids.h"
+#include "monitor.h"
+#include "status.h"
 
 #include <vector>
 
@@ -19,8 +21,8 @@ enum class Twin : std::uint8_t { None, SameWay, Opposite };
 // [faceBegin[k], faceBegin[k + 1]). Triangles hold global vertex ids. Once welded, faces of the
 // second operand may use vertices of the first, where both have one in the same place.
 struct MeshArrays {
-	std::vector<Point> points;
-	std::vector<Triangle> triangles;
+	Points points;
+	Triangles triangles;
 	std::array<std::uint32_t, 3> vertexBegin{};
 	std::array<std::uint32_t, 3> faceBegin{};
 	// Per face, bit i: the edge from its corner i on lies inside a polygon, which is one face to
@@ -42,6 +44,29 @@ struct MeshArrays {
 	}
 	int operandOf(FaceId face) const { return face.value < faceBegin[1] ? 0 : 1; }
 };
+
+// A surface in a caller's arrays: triangles index the points.
+struct SurfaceView {
+	const Point* points;
+	std::size_t pointCount;
+	const IndexTriangle* triangles;
+	std::size_t triangleCount;
+};
+
+// A view of two arrays, which must outlive it.
+template <class PointArray, class TriangleArray>
+SurfaceView viewOf(const PointArray& points, const TriangleArray& triangles) {
+	return {points.data(), points.size(), triangles.data(), triangles.size()};
+}
+
+// Copies two surfaces into the arrays of one run. Corners are taken as they are: one that names no
+// point of its own surface names none of its operand afterwards, and is found when the operands are
+// prepared.
+// \param threads 0: as many as OpenMP gives
+// \param out     replaced
+// \return Ok, Cancelled, OutOfMemory, or TooLarge. Complexity: O(n), in parallel.
+Status joinSurfaces(const std::array<SurfaceView, 2>& surfaces, int threads, Monitor& monitor,
+                    MeshArrays& out);
 
 // The faux edges of a face once it is turned over by swapping its corners 1 and 2.
 constexpr std::uint8_t turnedFaux(std::uint8_t mask) {

@@ -208,7 +208,6 @@ Status appendOperand(const TriMesh& mesh,
 	return status.ok() ? appendFauxEdges(mesh, monitor, elements, out) : status;
 }
 
-using IndexedTriangle = std::array<std::uint32_t, 3>;
 using IndexedEdge = std::array<std::uint32_t, 2>;
 
 // A power of two that brings the largest coordinate in a box near 1, so that products of
@@ -222,8 +221,7 @@ inline double unitScale(const BoundingBox& box) {
 }
 
 // The cross product of a triangle's edges after scaling: along the face's normal.
-inline Point scaledNormal(const std::vector<Point>& points, const IndexedTriangle& triangle,
-                          double scale) {
+inline Point scaledNormal(const Points& points, const IndexTriangle& triangle, double scale) {
 	const Point &a = points[triangle[0]], &b = points[triangle[1]], &c = points[triangle[2]];
 	Point u, v;
 	for (std::size_t i = 0; i < 3; ++i) {
@@ -234,10 +232,9 @@ inline Point scaledNormal(const std::vector<Point>& points, const IndexedTriangl
 }
 
 // Adds to `sums` the normals of the faces at each vertex of [begin, end), in the faces' order.
-inline void sumNormals(const std::vector<Point>& points,
-                       const std::vector<IndexedTriangle>& triangles, double scale,
-                       std::size_t begin, std::size_t end, std::vector<Point>& sums) {
-	for (const IndexedTriangle& triangle : triangles) {
+inline void sumNormals(const Points& points, const IndexTriangles& triangles, double scale,
+                       std::size_t begin, std::size_t end, Points& sums) {
+	for (const IndexTriangle& triangle : triangles) {
 		std::array<bool, 3> inside;
 		for (std::size_t corner = 0; corner < 3; ++corner)
 			inside[corner] = triangle[corner] - begin < end - begin;  // false below begin: it wraps
@@ -279,7 +276,7 @@ void allocateSurface(std::size_t vertexCount, std::size_t faceCount, TriMesh& ou
 }
 
 // The box of all points; all zero if there is none. \return Ok or Cancelled
-inline Status boxOf(const std::vector<Point>& points, Monitor& monitor, BoundingBox& box) {
+inline Status boxOf(const Points& points, Monitor& monitor, BoundingBox& box) {
 	return points.empty() ? Status{}
 	                      : findBoundingBox(points.data(), points.size(), 0, monitor, box);
 }
@@ -292,8 +289,8 @@ inline Status boxOf(const std::vector<Point>& points, Monitor& monitor, Bounding
 // \return Ok or Cancelled. Throws std::bad_alloc.
 // Complexity: O(n), in parallel.
 template <class TriMesh>
-Status fillSurface(const std::vector<Point>& points, const std::vector<IndexedTriangle>& triangles,
-                   Monitor& monitor, TriMesh& out) {
+Status fillSurface(const Points& points, const IndexTriangles& triangles, Monitor& monitor,
+                   TriMesh& out) {
 	BoundingBox box{};
 	Status status = boxOf(points, monitor, box);
 	if (!status.ok())
@@ -326,15 +323,14 @@ Status fillSurface(const std::vector<Point>& points, const std::vector<IndexedTr
 // Gives the vertices of a surface written before unit normals: those of their faces, weighted by
 // area, as in the results of MeshLab's own Booleans. Parameters, errors as above.
 template <class TriMesh>
-Status fillVertexNormals(const std::vector<Point>& points,
-                         const std::vector<IndexedTriangle>& triangles, Monitor& monitor,
+Status fillVertexNormals(const Points& points, const IndexTriangles& triangles, Monitor& monitor,
                          TriMesh& out) {
 	BoundingBox box{};
 	const Status status = boxOf(points, monitor, box);
 	if (!status.ok())
 		return status;
 	const double scale = unitScale(box);
-	std::vector<Point> normalSums;
+	Points normalSums;
 	assignHuge(normalSums, points.size(), Point{0, 0, 0});
 	const auto writeNormals = [&](std::size_t begin, std::size_t end) {
 		sumNormals(points, triangles, scale, begin, end, normalSums);

@@ -192,7 +192,7 @@ std::uint8_t pieceFaux(const MeshArrays& mesh, std::uint32_t whole, const IndexT
 
 // Takes the faux edges of one operand over to the faces that replace its faces, if there are any.
 // \param before for each new face, the face of the arrays that it is or is a piece of
-void replaceFaux(MeshArrays& mesh, std::size_t operand, const std::vector<IndexTriangle>& faces,
+void replaceFaux(MeshArrays& mesh, std::size_t operand, const IndexTriangles& faces,
                  const std::vector<std::uint32_t>& before) {
 	if (mesh.faux.empty()) {
 		return;
@@ -215,7 +215,7 @@ Status cleanOperand(Arrangement& arrangement, std::size_t operand, Monitor& moni
 	const int threads = arrangement.options.threads;
 	const std::uint32_t begin = mesh.faceBegin[operand];
 	const std::uint32_t end = mesh.faceBegin[operand + 1];
-	std::vector<IndexTriangle> triangles;
+	IndexTriangles triangles;
 	std::vector<std::uint32_t> given;
 	std::vector<std::uint32_t> before;  // the face that each is or is a piece of
 	for (std::uint32_t face = begin; face < end; ++face) {
@@ -238,7 +238,7 @@ Status cleanOperand(Arrangement& arrangement, std::size_t operand, Monitor& moni
 	cleaned.faces.apply(before);
 	replaceFaux(mesh, operand, triangles, before);
 
-	std::vector<Triangle> all(mesh.triangles.begin(), mesh.triangles.begin() + begin);
+	Triangles all(mesh.triangles.begin(), mesh.triangles.begin() + begin);
 	std::vector<std::uint32_t> allGiven;
 	for (std::uint32_t face = 0; face < begin; ++face) {
 		allGiven.push_back(arrangement.givenFace({face}));

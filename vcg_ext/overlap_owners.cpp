@@ -152,7 +152,7 @@ void Chooser::listWalls() {
 			isWhole = isWhole && isOverlap(end);
 		}
 		const Triangle& t = at(arrangement_.mesh.triangles, parent_[first]);
-		const std::vector<Point>& points = arrangement_.mesh.points;
+		const Points& points = arrangement_.mesh.points;
 		Wall wall{{at(points, t[0]), at(points, t[1]), at(points, t[2])}, isWhole};
 		std::sort(wall.corners.begin(), wall.corners.end());
 		for (std::uint32_t piece = first; piece < end; ++piece) {

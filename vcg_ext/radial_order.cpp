@@ -42,7 +42,7 @@ private:
 	// Whether the witness of b lies counter-clockwise (+1) or clockwise (-1) of a, by less than
 	// half a turn; 0 in a's plane.
 	int turnTo(const Ray& a, const Ray& b) const {
-		const std::vector<Point>& points = arrangement_.mesh.points;
+		const Points& points = arrangement_.mesh.points;
 		const int side = orient3d(at(points, (*a.corners)[0]), at(points, (*a.corners)[1]),
 		                          at(points, (*a.corners)[2]), *b.witness);
 		return a.half.left ? side : -side;

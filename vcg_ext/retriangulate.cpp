@@ -45,7 +45,7 @@ struct RegionLink {
 // What one chunk of cut faces gives.
 struct ChunkPieces {
 	std::vector<CutFace> cutFaces;
-	std::vector<Triangle> pieces;
+	Triangles pieces;
 	std::vector<std::uint32_t> pieceRegion;
 	std::vector<FaceSides> sides;
 	std::vector<RegionLink> links;

@@ -90,7 +90,7 @@ private:
 
 // Of the corners of faces: a stray vertex far away shall not make the boxes coarse.
 Status SelfSearch::findBox(BoundingBox& out) const {
-	std::vector<Point> ends(2 * chunkCount(count_, kGrain));
+	Points ends(2 * chunkCount(count_, kGrain));
 	const Status status =
 	    parallelForChunks(count_, kGrain, arrangement_.options.threads, monitor_,
 	                      [&](std::size_t chunk, std::size_t begin, std::size_t end) {
@@ -196,7 +196,7 @@ bool SelfSearch::isProper(FacePair pair, const PairContact& contact) const {
 
 Point SelfSearch::placeOf(const PointName& name) const {
 	const auto& ids = name.ids;
-	const std::vector<Point>& points = mesh_.points;
+	const Points& points = mesh_.points;
 	ExactPoint point = ExactPoint::explicitPoint(points[ids[0]]);
 	if (name.kind == PointKind::EdgeEdge) {
 		point = ExactPoint::lineLine(

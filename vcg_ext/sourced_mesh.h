@@ -18,10 +18,10 @@ struct FaceSource {
 // Arrays are parallel: points with vertexSource, triangles with faceSource and, unless it is empty,
 // faux. Triangles index `points`. A vertexSource is an input vertex or a curve point.
 struct SourcedMesh {
-	std::vector<Point> points;
-	std::vector<VertexId> vertexSource;
-	std::vector<std::array<std::uint32_t, 3>> triangles;
-	std::vector<FaceSource> faceSource;
+	Points points;
+	HugeVector<VertexId> vertexSource;
+	IndexTriangles triangles;
+	HugeVector<FaceSource> faceSource;
 	std::vector<std::uint8_t> faux;  // as in MeshArrays; empty if no face has a faux edge
 	std::size_t zeroAreaFacesRemoved = 0;
 };

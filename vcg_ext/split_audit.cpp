@@ -59,7 +59,7 @@ Status auditSubBlocks(const Arrangement& arrangement, const SubSurfaces& surface
                       const SubBlocks& blocks, const std::vector<SplitMesh>& boundaries,
                       Monitor& monitor, SplitAudit& out) {
 	out = SplitAudit{};
-	const std::vector<Point>& points = arrangement.mesh.points;
+	const Points& points = arrangement.mesh.points;
 	const Options& options = arrangement.options;
 	BoundingBox box{};
 	Status status = findBoundingBox(points.data(), points.size(), options.threads, monitor, box);

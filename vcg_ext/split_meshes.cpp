@@ -68,7 +68,7 @@ std::array<std::int32_t, 2> Collector::besideOf(const ChosenFace& face) const {
 // Lists the vertices of the chosen faces, ascending: by marks unless few of all are chosen.
 void Collector::listVertices() {
 	const std::vector<RefinedFace>& faces = surfaces_.complex.faces;
-	std::vector<VertexId>& used = out_.vertexSource;
+	HugeVector<VertexId>& used = out_.vertexSource;
 	constexpr std::size_t kFewOf = 64;
 	if (chosen_.size() < faces.size() / kFewOf) {
 		for (const ChosenFace& face : chosen_) {
@@ -105,7 +105,7 @@ std::uint32_t Collector::numberOf(VertexId v) const {
 
 Status Collector::placeVertices() {
 	listVertices();
-	const std::vector<VertexId>& used = out_.vertexSource;
+	const HugeVector<VertexId>& used = out_.vertexSource;
 	resizeHuge(out_.points, used.size());
 	return parallelFor(used.size(), kGrain, arrangement_.options.threads, monitor_,
 	                   [&](std::size_t begin, std::size_t end) {

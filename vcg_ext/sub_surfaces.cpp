@@ -205,7 +205,7 @@ Status Finder::measure() {
 		SurfaceSums sums;
 	};
 	const int threads = arrangement_.options.threads;
-	const std::vector<Point>& points = arrangement_.mesh.points;
+	const Points& points = arrangement_.mesh.points;
 	BoundingBox box{};
 	Status status = findBoundingBox(points.data(), points.size(), threads, monitor_, box);
 	out_.frame = makeSumFrame(box);

@@ -437,7 +437,7 @@ double roundedToFloat(const ExactPoint& point, std::size_t axis) {
 }  // namespace
 
 ExactPoint exactPoint(const Arrangement& arrangement, VertexId vertex) {
-	const std::vector<Point>& points = arrangement.mesh.points;
+	const Points& points = arrangement.mesh.points;
 	if (!arrangement.isCurvePoint(vertex)) {
 		return ExactPoint::explicitPoint(at(points, vertex));
 	}

@@ -56,7 +56,7 @@ Status gatherZeroArea(std::size_t count, int threads, Monitor& monitor, const Fa
 	return status;
 }
 
-auto cornersIn(const std::vector<Point>& points, const std::vector<IndexTriangle>& triangles) {
+auto cornersIn(const Points& points, const IndexTriangles& triangles) {
 	return [&points, &triangles](std::size_t face) -> std::array<const Point*, 3> {
 		const IndexTriangle& t = triangles[face];
 		return {&points[t[0]], &points[t[1]], &points[t[2]]};
@@ -74,18 +74,16 @@ bool hasZeroArea(const Point& a, const Point& b, const Point& c) {
 	return orient2d(a, b, c, 0) == 0 && orient2d(a, b, c, 1) == 0 && orient2d(a, b, c, 2) == 0;
 }
 
-Status findZeroAreaFaces(const std::vector<Point>& points,
-                         const std::vector<IndexTriangle>& triangles, FaceRange range, int threads,
-                         Monitor& monitor, std::vector<std::uint32_t>& out) {
+Status findZeroAreaFaces(const Points& points, const IndexTriangles& triangles, FaceRange range,
+                         int threads, Monitor& monitor, std::vector<std::uint32_t>& out) {
 	const auto faceAt = [&range](std::size_t i) { return range.begin + i; };
 	return gatherZeroArea(range.end - range.begin, threads, monitor, faceAt,
 	                      cornersIn(points, triangles), out);
 }
 
-Status findZeroAreaFacesAmong(const std::vector<std::uint32_t>& candidates,
-                              const std::vector<Point>& points,
-                              const std::vector<IndexTriangle>& triangles, int threads,
-                              Monitor& monitor, std::vector<std::uint32_t>& out) {
+Status findZeroAreaFacesAmong(const std::vector<std::uint32_t>& candidates, const Points& points,
+                              const IndexTriangles& triangles, int threads, Monitor& monitor,
+                              std::vector<std::uint32_t>& out) {
 	const auto faceAt = [&candidates](std::size_t i) { return candidates[i]; };
 	return gatherZeroArea(candidates.size(), threads, monitor, faceAt, cornersIn(points, triangles),
 	                      out);

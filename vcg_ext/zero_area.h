@@ -14,9 +14,6 @@
 
 namespace index_boolean {
 
-// A face of a block by the indices of its corners.
-using IndexTriangle = std::array<std::uint32_t, 3>;
-
 // The faces [begin, end).
 struct FaceRange {
 	std::size_t begin, end;
@@ -32,15 +29,13 @@ bool hasZeroArea(const Point& a, const Point& b, const Point& c);
 // \param out       replaced by the indices of the zero-area faces, ascending
 // \return Ok, Cancelled, OutOfMemory or InternalError
 // Complexity: O(end - begin), in parallel.
-Status findZeroAreaFaces(const std::vector<Point>& points,
-                         const std::vector<IndexTriangle>& triangles, FaceRange range, int threads,
-                         Monitor& monitor, std::vector<std::uint32_t>& out);
+Status findZeroAreaFaces(const Points& points, const IndexTriangles& triangles, FaceRange range,
+                         int threads, Monitor& monitor, std::vector<std::uint32_t>& out);
 
 // The same among the faces listed in `candidates` (ascending, each once). O(candidates).
-Status findZeroAreaFacesAmong(const std::vector<std::uint32_t>& candidates,
-                              const std::vector<Point>& points,
-                              const std::vector<IndexTriangle>& triangles, int threads,
-                              Monitor& monitor, std::vector<std::uint32_t>& out);
+Status findZeroAreaFacesAmong(const std::vector<std::uint32_t>& candidates, const Points& points,
+                              const IndexTriangles& triangles, int threads, Monitor& monitor,
+                              std::vector<std::uint32_t>& out);
 
 // The same among all faces of both operands.
 Status findZeroAreaFaces(const MeshArrays& mesh, int threads, Monitor& monitor,

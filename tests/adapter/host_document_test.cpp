@@ -25,13 +25,13 @@ bool hostCallback(const int, const char*) {
 
 // An octahedron: simple, closed, in general position after a shift.
 void addOctahedron(const Point& centre, const char* label, MeshDocument& document) {
-	std::vector<Point> points(6, centre);
+	Points points(6, centre);
 	for (std::size_t axis = 0; axis < 3; ++axis) {
 		points[2 * axis][axis] -= 1;
 		points[2 * axis + 1][axis] += 1;
 	}
-	const std::vector<IndexedTriangle> triangles{{1, 3, 5}, {3, 0, 5}, {0, 2, 5}, {2, 1, 5},
-	                                             {3, 1, 4}, {0, 3, 4}, {2, 0, 4}, {1, 2, 4}};
+	const IndexTriangles triangles{{1, 3, 5}, {3, 0, 5}, {0, 2, 5}, {2, 1, 5},
+	                               {3, 1, 4}, {0, 3, 4}, {2, 0, 4}, {1, 2, 4}};
 	MeshModel* layer = document.addNewMesh(QString(), label);
 	Monitor monitor;
 	allocateSurface(points.size(), triangles.size(), layer->cm);

@@ -35,8 +35,8 @@ class DoubleFace : public vcg::Face<DoubleTypes, vcg::face::VertexRef, vcg::face
 using DoubleMesh = vcg::tri::TriMesh<std::vector<DoubleVertex>, std::vector<DoubleFace>>;
 
 struct Surface {
-	std::vector<Point> points;
-	std::vector<IndexedTriangle> triangles;
+	Points points;
+	IndexTriangles triangles;
 };
 
 Surface tetrahedron(double size) {

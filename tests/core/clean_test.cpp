@@ -25,8 +25,8 @@ using Vector = std::array<std::int64_t, 3>;
 using Edge = std::pair<std::uint32_t, std::uint32_t>;
 
 struct Mesh {
-	std::vector<Point> points;
-	std::vector<IndexTriangle> triangles;
+	Points points;
+	IndexTriangles triangles;
 };
 
 Vector integerPoint(const Point& p) {
@@ -200,7 +200,7 @@ private:
 
 	// Zero-area faces with three corners, opposite ones cancelled.
 	void takeCollinearFaces() {
-		std::map<IndexTriangle, std::vector<IndexTriangle>> bySense;
+		std::map<IndexTriangle, IndexTriangles> bySense;
 		for (const IndexTriangle& t : mesh_.triangles) {
 			IndexTriangle c = classes(t);
 			std::rotate(c.begin(), std::min_element(c.begin(), c.end()), c.end());
@@ -253,7 +253,7 @@ private:
 
 	const Mesh& mesh_;
 	std::vector<std::uint32_t> class_;
-	std::vector<IndexTriangle> faces_;
+	IndexTriangles faces_;
 	std::vector<std::size_t> cluster_;
 };
 
@@ -283,7 +283,7 @@ void expectOnlyReferencedVerticesAfterRemoval(const Mesh& before, Mesh after,
 	}
 	EXPECT_EQ(result.unreferenced, lost);
 	const auto geometry = geometryOf(after);
-	std::vector<Point> parallel = after.points;
+	Points parallel = after.points;
 	Monitor monitor;
 	Relocation relocated;
 	ASSERT_TRUE(
@@ -388,7 +388,7 @@ Mesh roundedSphere(int level, double size, double step) {
 			}
 			return entry->second;
 		};
-		std::vector<IndexTriangle> finer;
+		IndexTriangles finer;
 		for (const IndexTriangle& t : mesh.triangles) {
 			const std::uint32_t a = midpoint(t[0], t[1]), b = midpoint(t[1], t[2]);
 			const std::uint32_t c = midpoint(t[2], t[0]);
@@ -487,7 +487,7 @@ TEST(ZeroArea, agreesWithIntegersOnRandomTriangles) {
 	std::printf("seed %llu\n", static_cast<unsigned long long>(seed));
 	std::mt19937_64 random(seed);
 	for (int i = 0; i < 20000; ++i) {
-		Mesh mesh{std::vector<Point>(3), {{0, 1, 2}}};
+		Mesh mesh{Points(3), {{0, 1, 2}}};
 		for (Point& p : mesh.points) {
 			for (double& x : p)
 				x = static_cast<double>(random() % 4);
@@ -774,7 +774,7 @@ TEST(Clean, takesNegativeZeroForZero) {
 
 TEST(Clean, keepsEqualFacesAndCancelsOppositeOnes) {
 	Mesh twice = tetrahedronWithCap();
-	const std::vector<IndexTriangle> once = twice.triangles;
+	const IndexTriangles once = twice.triangles;
 	twice.triangles.insert(twice.triangles.end(), once.begin(), once.end());
 	Mesh both = twice;
 	expectCleanable(twice);
@@ -922,7 +922,7 @@ TEST(Clean, canBeCancelledInsideAClusterOfManyThousands) {
 	int calls = 0;
 	Monitor monitor([&calls](double, const char*) { return ++calls == 1; });
 	monitor.beginStage("clean", 0, 1);
-	const std::vector<IndexTriangle> before = mesh.triangles;
+	const IndexTriangles before = mesh.triangles;
 	CleanResult result;
 	EXPECT_EQ(cleanSurface(mesh.points, zero, 1, monitor, mesh.triangles, result).code,
 	          StatusCode::Cancelled);

@@ -26,9 +26,9 @@ Arrangement cleaned(const Mesh& a, const Mesh& b, int threads = 0) {
 }
 
 // The faces of one operand, by vertices of that operand.
-std::vector<Corners> facesOf(const Arrangement& arrangement, std::size_t operand) {
+IndexTriangles facesOf(const Arrangement& arrangement, std::size_t operand) {
 	const MeshArrays& mesh = arrangement.mesh;
-	std::vector<Corners> faces;
+	IndexTriangles faces;
 	for (std::uint32_t face = mesh.faceBegin[operand]; face < mesh.faceBegin[operand + 1]; ++face) {
 		Corners corners{};
 		for (std::size_t i = 0; i < 3; ++i)
@@ -97,7 +97,7 @@ TEST(DuplicateFaces, aWallInBothDirectionsCancels) {
 	const Arrangement arrangement = cleaned(kUnit, two);
 	EXPECT_EQ(arrangement.duplicates.cancelledPairs, (Pair{0, 2}));
 	EXPECT_EQ(arrangement.duplicates.takenOnce, (Pair{0, 0}));
-	const std::vector<Corners> faces = facesOf(arrangement, 1);
+	const IndexTriangles faces = facesOf(arrangement, 1);
 	EXPECT_EQ(faces.size(), 20u);
 	EXPECT_TRUE(isClosed(faces));
 	EXPECT_DOUBLE_EQ(volumeOf(two.points, faces), 2);
@@ -190,7 +190,7 @@ TEST(DuplicateFaces, indicesAsGivenAreKeptFromBefore) {
 
 // What must be left of random faces, whose directions are told by the parity of their corners;
 // nothing if they overlap.
-std::vector<Corners> expectedFaces(const std::vector<Corners>& all) {
+IndexTriangles expectedFaces(const IndexTriangles& all) {
 	std::map<Corners, int> net;  // by corners in ascending order
 	const auto sign = [](const Corners& c) {
 		const int rises = (c[0] < c[1] ? 1 : 0) + (c[1] < c[2] ? 1 : 0) + (c[2] < c[0] ? 1 : 0);
@@ -202,7 +202,7 @@ std::vector<Corners> expectedFaces(const std::vector<Corners>& all) {
 	};
 	for (const Corners& t : all)
 		net[key(t)] += sign(t);
-	std::vector<Corners> once, kept;
+	IndexTriangles once, kept;
 	std::map<Corners, int> left = net;
 	for (const Corners& t : all) {
 		int& rest = left[key(t)];
@@ -217,7 +217,7 @@ std::vector<Corners> expectedFaces(const std::vector<Corners>& all) {
 		return all;
 	if (isClosed(once))
 		return once;
-	return isClosed(all) && once.size() < kept.size() ? std::vector<Corners>{} : kept;
+	return isClosed(all) && once.size() < kept.size() ? IndexTriangles{} : kept;
 }
 
 TEST(DuplicateFaces, randomFacesOnFewVerticesAgreeWithCounting) {
@@ -235,7 +235,7 @@ TEST(DuplicateFaces, randomFacesOnFewVerticesAgreeWithCounting) {
 			mesh.triangles.push_back(t);
 		}
 		mesh = permuted(mesh, random);
-		const std::vector<Corners> expected = expectedFaces(mesh.triangles);
+		const IndexTriangles expected = expectedFaces(mesh.triangles);
 		if (expected.empty()) {
 			Arrangement refused;
 			refused.mesh = arrays(kUnit, mesh);

@@ -185,7 +185,7 @@ TEST(ExactSign, orient2dEqualsRationalArithmetic) {
 }
 
 // One point of each form, as far as its simplices meet in one point.
-std::vector<ExactPoint> somePoints(PointSource& next, std::vector<Point>& storage) {
+std::vector<ExactPoint> somePoints(PointSource& next, Points& storage) {
 	storage.clear();
 	for (int i = 0; i < 19; ++i) {
 		storage.push_back(next());
@@ -222,7 +222,7 @@ std::vector<ExactPoint> somePoints(PointSource& next, std::vector<Point>& storag
 }
 
 TEST(ExactSign, roundedCoordinatesAreTheNearestDoubles) {
-	std::vector<Point> storage;
+	Points storage;
 	for (std::uint32_t seed = 0; seed < kSeeds; ++seed) {
 		SCOPED_TRACE("seed " + std::to_string(seed));
 		PointSource next(seed);
@@ -240,7 +240,7 @@ TEST(ExactSign, roundedCoordinatesAreTheNearestDoubles) {
 }
 
 TEST(ExactSign, implicitPointsCompareAndTurnAsRationalOnes) {
-	std::vector<Point> storage[3];
+	Points storage[3];
 	for (std::uint32_t seed = 0; seed < kSeeds / 3; ++seed) {
 		SCOPED_TRACE("seed " + std::to_string(seed));
 		PointSource next(seed);
@@ -263,7 +263,7 @@ TEST(ExactSign, implicitPointsCompareAndTurnAsRationalOnes) {
 }
 
 TEST(ExactSign, roundingDoesNotDependOnTheOrderOfCorners) {
-	std::vector<Point> storage;
+	Points storage;
 	for (std::uint32_t seed = 0; seed < kSeeds; ++seed) {
 		PointSource next(seed);
 		for (const ExactPoint& p : somePoints(next, storage)) {

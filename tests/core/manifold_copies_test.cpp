@@ -146,8 +146,8 @@ TEST(ManifoldCopies, nonManifoldOperandsGiveManifoldBlocksAwayFromTheCurveToo) {
 }
 
 TEST(NonManifold, aClosedManifoldIsToldFromAnyOtherSurface) {
-	const auto isManifold = [](const std::vector<std::array<std::uint32_t, 3>>& faces) {
-		std::vector<Triangle> triangles;
+	const auto isManifold = [](const IndexTriangles& faces) {
+		Triangles triangles;
 		std::uint32_t end = 0;
 		for (const auto& t : faces) {
 			triangles.push_back({VertexId{t[0]}, VertexId{t[1]}, VertexId{t[2]}});
@@ -163,8 +163,7 @@ TEST(NonManifold, aClosedManifoldIsToldFromAnyOtherSurface) {
 	};
 	EXPECT_TRUE(isManifold(torus(9, 7, 2, 1).triangles));
 	EXPECT_TRUE(isManifold(sphere(40, {0, 0, 0}, 1).triangles));  // poles with 80 faces
-	const std::vector<std::array<std::uint32_t, 3>> tetrahedron{
-	    {0, 1, 2}, {0, 2, 3}, {0, 3, 1}, {1, 3, 2}};
+	const IndexTriangles tetrahedron{{0, 1, 2}, {0, 2, 3}, {0, 3, 1}, {1, 3, 2}};
 	EXPECT_TRUE(isManifold(tetrahedron));
 	auto faces = tetrahedron;
 	faces.pop_back();
@@ -181,7 +180,7 @@ TEST(NonManifold, aClosedManifoldIsToldFromAnyOtherSurface) {
 
 TEST(NonManifold, findsEdgesWithFourFacesAndCornersThatTouch) {
 	const auto nonManifold = [](const Mesh& m) {
-		std::vector<Triangle> triangles;
+		Triangles triangles;
 		for (const auto& t : m.triangles) {
 			triangles.push_back({VertexId{t[0]}, VertexId{t[1]}, VertexId{t[2]}});
 		}

@@ -92,7 +92,7 @@ TEST(MergeFragments, inputVerticesStay) {
 		ASSERT_TRUE(plain.status.ok() && merged.status.ok());
 		for (std::size_t k = 0; k < 5; ++k) {
 			const Block& block = plain.blocks[k];
-			std::vector<Point> kept = merged.blocks[k].points;
+			Points kept = merged.blocks[k].points;
 			std::sort(kept.begin(), kept.end());
 			for (std::size_t f = 0; f < block.triangles.size(); ++f) {
 				const Triangle& parent =

@@ -18,14 +18,14 @@ namespace {
 
 using Corners = std::array<std::uint32_t, 3>;
 
-std::vector<Triangle> typed(const std::vector<Corners>& triangles) {
-	std::vector<Triangle> result;
+Triangles typed(const IndexTriangles& triangles) {
+	Triangles result;
 	for (const Corners& t : triangles)
 		result.push_back({VertexId{t[0]}, VertexId{t[1]}, VertexId{t[2]}});
 	return result;
 }
 
-std::uint64_t checksum(const std::vector<Corners>& triangles, int threads = 0) {
+std::uint64_t checksum(const IndexTriangles& triangles, int threads = 0) {
 	Monitor monitor;
 	std::uint64_t sum = 1;
 	EXPECT_TRUE(boundaryChecksum(triangles.data(), triangles.data() + triangles.size(), threads,
@@ -34,14 +34,14 @@ std::uint64_t checksum(const std::vector<Corners>& triangles, int threads = 0) {
 	return sum;
 }
 
-UnmatchedEdges unmatched(const std::vector<Corners>& triangles) {
-	const std::vector<Triangle> all = typed(triangles);
+UnmatchedEdges unmatched(const IndexTriangles& triangles) {
+	const Triangles all = typed(triangles);
 	UnmatchedEdges found;
 	findUnmatchedEdges(all.data(), all.data() + all.size(), found);
 	return found;
 }
 
-void expectClosed(const std::vector<Corners>& triangles) {
+void expectClosed(const IndexTriangles& triangles) {
 	EXPECT_EQ(checksum(triangles), 0U);
 	const UnmatchedEdges found = unmatched(triangles);
 	EXPECT_EQ(found.borderEdges, 0U);
@@ -49,7 +49,7 @@ void expectClosed(const std::vector<Corners>& triangles) {
 	EXPECT_TRUE(found.faces.empty());
 }
 
-const std::vector<Corners> kTetrahedron = {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}};
+const IndexTriangles kTetrahedron = {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}};
 
 }  // namespace
 
@@ -83,7 +83,7 @@ TEST(MeshChecks, closedSurfacesAreClosed) {
 }
 
 TEST(MeshChecks, edgesWithFourFacesAreClosed) {
-	std::vector<Corners> twoOnOneEdge = kTetrahedron;
+	IndexTriangles twoOnOneEdge = kTetrahedron;
 	for (const Corners& t : kTetrahedron) {
 		Corners other{};
 		for (std::size_t i = 0; i < 3; ++i)
@@ -94,7 +94,7 @@ TEST(MeshChecks, edgesWithFourFacesAreClosed) {
 }
 
 TEST(MeshChecks, missingFaceIsThreeBorders) {
-	std::vector<Corners> open = kTetrahedron;
+	IndexTriangles open = kTetrahedron;
 	open.erase(open.begin());  // (0, 2, 1)
 	EXPECT_NE(checksum(open), 0U);
 	const UnmatchedEdges found = unmatched(open);
@@ -105,7 +105,7 @@ TEST(MeshChecks, missingFaceIsThreeBorders) {
 }
 
 TEST(MeshChecks, turnedFaceIsThreeConflicts) {
-	std::vector<Corners> turned = kTetrahedron;
+	IndexTriangles turned = kTetrahedron;
 	std::swap(turned[2][0], turned[2][1]);  // (2, 1, 3)
 	EXPECT_NE(checksum(turned), 0U);
 	const UnmatchedEdges found = unmatched(turned);
@@ -116,7 +116,7 @@ TEST(MeshChecks, turnedFaceIsThreeConflicts) {
 }
 
 TEST(MeshChecks, bordersComeBeforeConflicts) {
-	std::vector<Corners> both = kTetrahedron;
+	IndexTriangles both = kTetrahedron;
 	std::swap(both[0][0], both[0][1]);
 	both.push_back({7, 8, 9});
 	const UnmatchedEdges found = unmatched(both);
@@ -132,7 +132,7 @@ TEST(MeshChecks, bordersComeBeforeConflicts) {
 }
 
 TEST(MeshChecks, thirdFaceAtAnEdgeIsABorder) {
-	std::vector<Corners> flap = kTetrahedron;
+	IndexTriangles flap = kTetrahedron;
 	flap.push_back({0, 1, 9});
 	const UnmatchedEdges found = unmatched(flap);
 	EXPECT_EQ(found.borderEdges, 3U);
@@ -140,7 +140,7 @@ TEST(MeshChecks, thirdFaceAtAnEdgeIsABorder) {
 }
 
 TEST(MeshChecks, doubledFaceIsFound) {
-	std::vector<Corners> doubled = kTetrahedron;
+	IndexTriangles doubled = kTetrahedron;
 	doubled.push_back(doubled[0]);
 	EXPECT_NE(checksum(doubled), 0U);
 	EXPECT_EQ(unmatched(doubled).borderEdges, 3U);
@@ -153,7 +153,7 @@ TEST(MeshChecks, checksumAndSearchAgreeWithCounting) {
 	for (unsigned seed = 1; seed <= 300; ++seed) {
 		SCOPED_TRACE(seed);
 		std::mt19937 random(seed);
-		std::vector<Corners> triangles;
+		IndexTriangles triangles;
 		for (unsigned i = 0; i < 4 + seed % 3; ++i) {
 			const Corners t = kTetrahedron[random() % 4];
 			triangles.push_back((random() & 1U) != 0 ? t : Corners{t[1], t[0], t[2]});
@@ -169,20 +169,20 @@ TEST(MeshChecks, checksumAndSearchAgreeWithCounting) {
 // Around this hexagon the sums of an edge's two vertices cancel, and so would a hash of the sum.
 TEST(MeshChecks, checksumTellsEdgesApart) {
 	const std::array<std::uint32_t, 6> hexagon = {0, 12, 1, 10, 2, 11};
-	std::vector<Corners> cone;
+	IndexTriangles cone;
 	for (std::size_t i = 0; i < 6; ++i)
 		cone.push_back({50, hexagon[i], hexagon[(i + 1) % 6]});
 	EXPECT_NE(checksum(cone), 0U);
 }
 
 TEST(MeshChecks, checksumDependsOnNeitherThreadsNorOrderNorKindOfIndex) {
-	std::vector<Corners> triangles = shapes::sphere(120, {0, 0, 0}, 1).triangles;
+	IndexTriangles triangles = shapes::sphere(120, {0, 0, 0}, 1).triangles;
 	triangles.pop_back();
 	const std::uint64_t sum = checksum(triangles, 1);
 	EXPECT_NE(sum, 0U);
 	for (const int threads : {0, 2, 8})
 		EXPECT_EQ(checksum(triangles, threads), sum);
-	const std::vector<Triangle> all = typed(triangles);
+	const Triangles all = typed(triangles);
 	Monitor monitor;
 	std::uint64_t ofTyped = 0;
 	EXPECT_TRUE(boundaryChecksum(all.data(), all.data() + all.size(), 0, monitor, ofTyped).ok());
@@ -193,7 +193,7 @@ TEST(MeshChecks, checksumDependsOnNeitherThreadsNorOrderNorKindOfIndex) {
 }
 
 TEST(MeshChecks, checksumIsCancelled) {
-	const std::vector<Corners> triangles = shapes::sphere(20, {0, 0, 0}, 1).triangles;
+	const IndexTriangles triangles = shapes::sphere(20, {0, 0, 0}, 1).triangles;
 	Monitor monitor([](double, const char*) { return false; });
 	monitor.beginStage("test", 0, 1);
 	std::uint64_t sum = 0;

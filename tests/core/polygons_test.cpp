@@ -23,8 +23,7 @@ using Edges = std::multiset<Edge>;
 Edge edgeOf(const Point& a, const Point& b) { return {std::min(a, b), std::max(a, b)}; }
 
 // The faux edges of a surface, once for each face that calls them so.
-Edges fauxEdges(const std::vector<Point>& points,
-                const std::vector<std::array<std::uint32_t, 3>>& triangles,
+Edges fauxEdges(const Points& points, const IndexTriangles& triangles,
                 const std::vector<std::uint8_t>& faux) {
 	Edges edges;
 	for (std::size_t f = 0; f < faux.size(); ++f) {

@@ -16,8 +16,8 @@
 namespace index_boolean::shapes {
 
 struct Mesh {
-	std::vector<Point> points;
-	std::vector<std::array<std::uint32_t, 3>> triangles;
+	Points points;
+	IndexTriangles triangles;
 	std::vector<std::uint8_t> faux = {};  // as in MeshArrays
 };
 
@@ -209,8 +209,7 @@ inline MeshArrays arrays(const Mesh& a, const Mesh& b) {
 }
 
 // Six times the signed volume, summed in long double about the first point.
-inline double volumeOf(const std::vector<Point>& points,
-                       const std::vector<std::array<std::uint32_t, 3>>& triangles) {
+inline double volumeOf(const Points& points, const IndexTriangles& triangles) {
 	long double sum = 0;
 	if (points.empty()) {
 		return 0;
@@ -231,7 +230,7 @@ inline double volumeOf(const std::vector<Point>& points,
 }
 
 // Each directed edge occurs as often as its reverse, by index.
-inline bool isClosed(const std::vector<std::array<std::uint32_t, 3>>& triangles) {
+inline bool isClosed(const IndexTriangles& triangles) {
 	std::map<std::pair<std::uint32_t, std::uint32_t>, int> balance;
 	for (const auto& t : triangles) {
 		for (std::size_t i = 0; i < 3; ++i) {
@@ -243,7 +242,7 @@ inline bool isClosed(const std::vector<std::array<std::uint32_t, 3>>& triangles)
 }
 
 // Whether each edge has one face each way, and the faces at each vertex form one umbrella.
-inline bool isManifold(const std::vector<std::array<std::uint32_t, 3>>& triangles) {
+inline bool isManifold(const IndexTriangles& triangles) {
 	std::map<std::array<std::uint32_t, 2>, std::uint32_t> apexOf;  // per directed edge
 	std::map<std::uint32_t, std::size_t> faceCount;
 	for (const auto& t : triangles) {

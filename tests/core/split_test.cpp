@@ -760,8 +760,8 @@ std::vector<std::vector<std::array<Point, 3>>> geometryOf(const SplitRun& r, boo
 	return all;
 }
 
-std::vector<std::vector<Point>> loopPoints(const SplitRun& r) {
-	std::vector<std::vector<Point>> all;
+std::vector<Points> loopPoints(const SplitRun& r) {
+	std::vector<Points> all;
 	for (const Loop& loop : r.arrangement.loops) {
 		all.emplace_back();
 		for (const VertexId v : loop.points) {

@@ -17,7 +17,6 @@
 namespace {
 
 using namespace index_boolean;
-using IndexRow = std::array<std::uint32_t, 3>;
 
 template <class Row>
 std::vector<Row> load(const std::filesystem::path& path) {
@@ -29,31 +28,21 @@ std::vector<Row> load(const std::filesystem::path& path) {
 	return rows;
 }
 
-template <class Row>
-void save(const std::vector<Row>& rows, const std::filesystem::path& path) {
+template <class Array>
+void save(const Array& rows, const std::filesystem::path& path) {
 	std::ofstream file(path, std::ios::binary);
 	file.exceptions(std::ios::failbit | std::ios::badbit);
 	file.write(reinterpret_cast<const char*>(rows.data()),
-	           static_cast<std::streamsize>(rows.size() * sizeof(Row)));
+	           static_cast<std::streamsize>(rows.size() * sizeof(typename Array::value_type)));
 }
 
-MeshArrays loadOperands(const std::filesystem::path& folder) {
-	MeshArrays arrays;
-	for (std::size_t k = 0; k < 2; ++k) {
-		const std::string suffix = "_" + std::to_string(k);
-		const auto points = load<Point>(folder / ("points" + suffix + ".f64"));
-		const auto begin = static_cast<std::uint32_t>(arrays.points.size());
-		arrays.points.insert(arrays.points.end(), points.begin(), points.end());
-		for (const IndexRow& t : load<IndexRow>(folder / ("triangles" + suffix + ".u32")))
-			arrays.triangles.push_back({makeId<VertexTag>(begin + t[0]),
-			                            makeId<VertexTag>(begin + t[1]),
-			                            makeId<VertexTag>(begin + t[2])});
-		for (std::size_t end = k + 1; end < 3; ++end) {
-			arrays.vertexBegin[end] = static_cast<std::uint32_t>(arrays.points.size());
-			arrays.faceBegin[end] = static_cast<std::uint32_t>(arrays.triangles.size());
-		}
-	}
-	return arrays;
+Status loadOperands(const std::filesystem::path& folder, Monitor& monitor, MeshArrays& out) {
+	const auto points0 = load<Point>(folder / "points_0.f64");
+	const auto points1 = load<Point>(folder / "points_1.f64");
+	const auto triangles0 = load<IndexTriangle>(folder / "triangles_0.u32");
+	const auto triangles1 = load<IndexTriangle>(folder / "triangles_1.u32");
+	return joinSurfaces({viewOf(points0, triangles0), viewOf(points1, triangles1)}, 0, monitor,
+	                    out);
 }
 
 // \return the first status that is not Ok, else Ok
@@ -62,7 +51,10 @@ Status run(OutputScalar scalar, const std::filesystem::path& folder) {
 	options.outputScalar = scalar;
 	Monitor monitor;
 	Arrangement arrangement;
-	Status status = arrange(loadOperands(folder), options, monitor, arrangement);
+	MeshArrays operands;
+	Status status = loadOperands(folder, monitor, operands);
+	if (status.ok())
+		status = arrange(std::move(operands), options, monitor, arrangement);
 	for (int i = 0; i < kOperationCount && status.ok(); ++i) {
 		Block block;
 		status = extractBlock(arrangement, static_cast<Operation>(i), monitor, block);

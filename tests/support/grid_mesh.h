@@ -21,7 +21,7 @@ using Corners = std::array<std::uint32_t, 3>;
 
 struct GridMesh {
 	std::vector<IntPoint> points;
-	std::vector<Corners> triangles;
+	IndexTriangles triangles;
 
 	const IntPoint& corner(std::size_t face, std::size_t i) const {
 		return points[triangles[face][i]];
