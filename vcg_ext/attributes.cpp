@@ -6,10 +6,13 @@
 #include "attributes.h"
 
 #include "exact_sign.h"
+#include "huge_pages.h"
 #include "parallel.h"
 #include "weld.h"
 
 #include <algorithm>
+#include <atomic>
+#include <memory>
 #include <numeric>
 
 namespace index_boolean {
@@ -315,7 +318,6 @@ private:
 	};
 
 	Status findFaces();
-	Status chooseFaces();
 	Status findVertices();
 	Status findCorners();
 	Status mixWanted();
@@ -327,38 +329,46 @@ private:
 	Monitor& monitor_;
 	const SourcedMesh& mesh_;
 	AttributeSources& out_;
-	std::vector<std::uint32_t> chosen_;  // per vertex: a face at it, the second operand's marked
+	// Per vertex: a face at it, the second operand's marked.
+	std::unique_ptr<std::atomic<std::uint32_t>[]> chosen_;
 	std::vector<Wanted> wanted_;
 };
 
-Status SourceFinder::findFaces() {
-	out_.face.resize(mesh_.triangles.size());
-	return parallelFor(out_.face.size(), kGrain, arrangement_.options.threads, monitor_,
-	                   [&](std::size_t begin, std::size_t end) {
-		                   for (std::size_t f = begin; f < end; ++f) {
-			                   out_.face[f] = locator_.givenFace(mesh_.faceSource[f].face);
-		                   }
-	                   });
+// Lowers a number that other threads lower too.
+void lowerTo(std::uint32_t value, std::atomic<std::uint32_t>& number) {
+	std::uint32_t known = number.load(std::memory_order_relaxed);
+	while (value < known &&
+	       !number.compare_exchange_weak(known, value, std::memory_order_relaxed)) {
+	}
 }
 
 // Each vertex takes its attributes through its first face of the first operand, else of the second.
-// Each range of vertices passes over all faces, so there are few.
-Status SourceFinder::chooseFaces() {
-	constexpr std::size_t kRanges = 4;
+Status SourceFinder::findFaces() {
 	const std::size_t n = mesh_.points.size();
-	chosen_.assign(n, kNone);
-	return parallelFor(n, std::max(kGrain, n / kRanges + 1), arrangement_.options.threads, monitor_,
-	                   [&](std::size_t begin, std::size_t end) {
-		                   for (std::uint32_t f = 0; f < mesh_.triangles.size(); ++f) {
-			                   const std::uint32_t key =
-			                       out_.face[f].operand == 0 ? f : f | kSecondOperand;
-			                   for (const std::uint32_t v : mesh_.triangles[f]) {
-				                   if (v >= begin && v < end && key < chosen_[v]) {
-					                   chosen_[v] = key;
-				                   }
-			                   }
-		                   }
-	                   });
+	const int threads = arrangement_.options.threads;
+	chosen_ = makeHuge<std::atomic<std::uint32_t>>(n);
+	out_.face.resize(mesh_.triangles.size());
+	const Status status =
+	    parallelFor(n, kGrain, threads, monitor_, [&](std::size_t begin, std::size_t end) {
+		    for (std::size_t v = begin; v < end; ++v) {
+			    chosen_[v].store(kNone, std::memory_order_relaxed);
+		    }
+	    });
+	if (!status.ok()) {
+		return status;
+	}
+	return parallelFor(
+	    out_.face.size(), kGrain, threads, monitor_, [&](std::size_t begin, std::size_t end) {
+		    for (std::size_t f = begin; f < end; ++f) {
+			    const GivenFace face = locator_.givenFace(mesh_.faceSource[f].face);
+			    const auto key = static_cast<std::uint32_t>(f) |
+			                     (face.operand == 0 ? std::uint32_t{0} : kSecondOperand);
+			    out_.face[f] = face;
+			    for (const std::uint32_t v : mesh_.triangles[f]) {
+				    lowerTo(key, chosen_[v]);
+			    }
+		    }
+	    });
 }
 
 // Calls list(begin, end, wanted) for chunks of n items; joins what they want, in order.
@@ -380,26 +390,39 @@ Status SourceFinder::findVertices() {
 	const std::size_t n = mesh_.points.size();
 	out_.vertex.resize(n);
 	out_.turned.resize(n);
-	return listWanted(n, [&](std::size_t begin, std::size_t end, std::vector<Wanted>& wanted) {
-		for (std::size_t i = begin; i < end; ++i) {
-			const auto v = static_cast<std::uint32_t>(i);
-			const FaceSource& source = mesh_.faceSource[chosen_[v] & ~kSecondOperand];
-			const VertexId vertex = mesh_.vertexSource[v];
-			const auto operand = static_cast<std::size_t>(chosen_[v] >= kSecondOperand);
-			out_.turned[v] = source.turned ? 1 : 0;
-			if (vertex != VertexId::none() && !arrangement_.isOnOther(vertex) &&
-			    !arrangement_.seams[operand]) {
-				out_.vertex[v] = vertex.value;
-				continue;
-			}
-			const Triangle given = locator_.givenTriangle(source.face);
-			if (const int corner = locator_.cornerOf(given, v); corner >= 0) {
-				out_.vertex[v] = given[static_cast<std::size_t>(corner)].value;
-			} else {
-				wanted.push_back({source.face, v, &out_.vertex[v], out_.vertexCount});
-			}
+	std::atomic<bool> isAlone{false};
+	const auto find = [&](std::uint32_t v, std::vector<Wanted>& wanted) {
+		const std::uint32_t chosen = chosen_[v].load(std::memory_order_relaxed);
+		if (chosen == kNone) {
+			isAlone = true;
+			return;
 		}
-	});
+		const FaceSource& source = mesh_.faceSource[chosen & ~kSecondOperand];
+		const VertexId vertex = mesh_.vertexSource[v];
+		const auto operand = static_cast<std::size_t>(chosen >= kSecondOperand);
+		out_.turned[v] = source.turned ? 1 : 0;
+		if (vertex != VertexId::none() && !arrangement_.isOnOther(vertex) &&
+		    !arrangement_.seams[operand]) {
+			out_.vertex[v] = vertex.value;
+			return;
+		}
+		const Triangle given = locator_.givenTriangle(source.face);
+		if (const int corner = locator_.cornerOf(given, v); corner >= 0) {
+			out_.vertex[v] = given[static_cast<std::size_t>(corner)].value;
+		} else {
+			wanted.push_back({source.face, v, &out_.vertex[v], out_.vertexCount});
+		}
+	};
+	Status status =
+	    listWanted(n, [&](std::size_t begin, std::size_t end, std::vector<Wanted>& wanted) {
+		    for (std::size_t v = begin; v < end; ++v) {
+			    find(static_cast<std::uint32_t>(v), wanted);
+		    }
+	    });
+	if (status.ok() && isAlone) {  // a vertex without a face: no mesh of this core's
+		status.code = StatusCode::InternalError;
+	}
+	return status;
 }
 
 Status SourceFinder::findCorners() {
@@ -449,12 +472,6 @@ Status SourceFinder::mixWanted() {
 Status SourceFinder::run(bool corners) {
 	out_.vertexCount = static_cast<std::uint32_t>(arrangement_.mesh.points.size());
 	Status status = findFaces();
-	if (status.ok()) {
-		status = chooseFaces();
-	}
-	if (status.ok() && std::find(chosen_.begin(), chosen_.end(), kNone) != chosen_.end()) {
-		status.code = StatusCode::InternalError;  // a vertex without a face: no mesh of this core's
-	}
 	if (status.ok()) {
 		status = findVertices();
 	}

@@ -24,14 +24,14 @@ struct AttributeMix {
 
 // Where the attributes of a mesh's elements come from.
 struct AttributeSources {
-	std::vector<GivenFace> face;  // per face
+	HugeVector<GivenFace> face;  // per face
 	// Per face and corner: which corner of the given face it is, or 3 + the index of a mix. Empty
 	// unless asked for.
 	IndexTriangles corner;
 	// Per vertex: a vertex as given, or, from vertexCount on, vertexCount + the index of a mix; and
 	// whether the faces that it stands for have been turned over.
-	std::vector<std::uint32_t> vertex;
-	std::vector<std::uint8_t> turned;
+	HugeVector<std::uint32_t> vertex;
+	HugeVector<std::uint8_t> turned;
 	std::uint32_t vertexCount = 0;  // of both operands as given
 	std::vector<AttributeMix> mixes;
 
