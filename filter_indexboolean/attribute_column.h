@@ -11,7 +11,6 @@
 #include "layers.h"
 
 #include <vcg_ext/attributes.h>
-#include <vcg_ext/parallel.h>
 
 #include <cstring>
 #include <functional>
@@ -60,11 +59,14 @@ private:
 	std::array<VertexNumbering<CMeshO>, 2> numberings_;
 };
 
+enum class ElementKind : std::uint8_t { Vertex, Face, Corner };
+
 struct AttributeColumn {
 	std::string name;         // in sentences: "vertex colours"; empty: nobody misses it
 	std::array<bool, 2> has;  // which operands carry it
-	bool perCorner = false;
-	std::function<Status(const AttributeSources&, Monitor&, MeshModel&)> write;
+	ElementKind of;           // what has a value each
+	// Makes room in a layer that is still empty; what writes the values borrows the sources.
+	std::function<RangeWriter(const AttributeSources&, MeshModel&)> prepare;
 	// Appends the bytes of the value that all of a face has; false if it has not one value.
 	std::function<bool(const OperandElementsAccess::Spot& face, std::string& key)> appendKey;
 	// Whether two vertices of one operand have the same value; empty but for vertex columns.
@@ -107,7 +109,7 @@ bool appendConstant(const std::array<Value, 3>& values, std::string& key) {
 template <class Value, class Get, class Prepare>
 AttributeColumn vertexColumn(const OperandElementsAccess& access, std::string name,
                              std::array<bool, 2> has, Value missing, Get get, Prepare prepare) {
-	AttributeColumn column{std::move(name), has, false, {}, {}, {}};
+	AttributeColumn column{std::move(name), has, ElementKind::Vertex, {}, {}, {}};
 	const auto cornerValues = [&access, get](const OperandElementsAccess::Spot& face) {
 		std::array<Value, 3> values;
 		for (std::size_t j = 0; j < 3; ++j)
@@ -127,13 +129,12 @@ AttributeColumn vertexColumn(const OperandElementsAccess& access, std::string na
 	                    const OperandElementsAccess::Spot& b) {
 		return !has[a.operand] || get(a.operand, a.position) == get(b.operand, b.position);
 	};
-	column.write = [=](const AttributeSources& sources, Monitor& monitor, MeshModel& layer) {
-		auto put = prepare(layer, sources);
-		return parallelFor(sources.vertex.size(), kElementGrain, 0, monitor,
-		                   [&](std::size_t begin, std::size_t end) {
-			                   for (std::size_t v = begin; v < end; ++v)
-				                   put(v, valueOf(sources, v));
-		                   });
+	column.prepare = [=](const AttributeSources& sources, MeshModel& layer) -> RangeWriter {
+		return [=, &sources, put = prepare(layer, sources)](std::size_t begin,
+		                                                    std::size_t end) mutable {
+			for (std::size_t v = begin; v < end; ++v)
+				put(v, valueOf(sources, v));
+		};
 	};
 	column.appendKey = [=](const OperandElementsAccess::Spot& face, std::string& key) {
 		return appendConstant(has[face.operand] ? cornerValues(face)
@@ -147,18 +148,17 @@ AttributeColumn vertexColumn(const OperandElementsAccess& access, std::string na
 template <class Value, class Get, class Prepare>
 AttributeColumn faceColumn(const OperandElementsAccess& access, std::string name,
                            std::array<bool, 2> has, Value missing, Get get, Prepare prepare) {
-	AttributeColumn column{std::move(name), has, false, {}, {}, {}};
+	AttributeColumn column{std::move(name), has, ElementKind::Face, {}, {}, {}};
 	const auto valueOf = [=](const OperandElementsAccess::Spot& face) {
 		return has[face.operand] ? get(face.operand, face.position) : missing;
 	};
-	column.write = [=, &access](const AttributeSources& sources, Monitor& monitor,
-	                            MeshModel& layer) {
-		auto put = prepare(layer, sources);
-		return parallelFor(sources.face.size(), kElementGrain, 0, monitor,
-		                   [&](std::size_t begin, std::size_t end) {
-			                   for (std::size_t f = begin; f < end; ++f)
-				                   put(f, valueOf(access.face(sources.face[f])));
-		                   });
+	column.prepare = [=, &access](const AttributeSources& sources,
+	                              MeshModel& layer) -> RangeWriter {
+		return [=, &access, &sources, put = prepare(layer, sources)](std::size_t begin,
+		                                                             std::size_t end) mutable {
+			for (std::size_t f = begin; f < end; ++f)
+				put(f, valueOf(access.face(sources.face[f])));
+		};
 	};
 	column.appendKey = [=](const OperandElementsAccess::Spot& face, std::string& key) {
 		appendBytes(valueOf(face), key);
@@ -171,7 +171,7 @@ AttributeColumn faceColumn(const OperandElementsAccess& access, std::string name
 template <class Value, class Get, class Prepare>
 AttributeColumn cornerColumn(const OperandElementsAccess& access, std::string name,
                              std::array<bool, 2> has, Value missing, Get get, Prepare prepare) {
-	AttributeColumn column{std::move(name), has, true, {}, {}, {}};
+	AttributeColumn column{std::move(name), has, ElementKind::Corner, {}, {}, {}};
 	const auto cornerValues = [get](const OperandElementsAccess::Spot& face) {
 		return std::array<Value, 3>{get(face.operand, face.position, std::size_t{0}),
 		                            get(face.operand, face.position, std::size_t{1}),
@@ -187,15 +187,14 @@ AttributeColumn cornerColumn(const OperandElementsAccess& access, std::string na
 		return isMix ? mixed(cornerValues(face), sources.mixes[source - 3].weights)
 		             : get(face.operand, face.position, std::size_t{source});
 	};
-	column.write = [=](const AttributeSources& sources, Monitor& monitor, MeshModel& layer) {
-		auto put = prepare(layer, sources);
-		return parallelFor(sources.face.size(), kElementGrain, 0, monitor,
-		                   [&](std::size_t begin, std::size_t end) {
-			                   for (std::size_t f = begin; f < end; ++f) {
-				                   for (std::size_t i = 0; i < 3; ++i)
-					                   put(f, i, valueOf(sources, f, i));
-			                   }
-		                   });
+	column.prepare = [=](const AttributeSources& sources, MeshModel& layer) -> RangeWriter {
+		return [=, &sources, put = prepare(layer, sources)](std::size_t begin,
+		                                                    std::size_t end) mutable {
+			for (std::size_t f = begin; f < end; ++f) {
+				for (std::size_t i = 0; i < 3; ++i)
+					put(f, i, valueOf(sources, f, i));
+			}
+		};
 	};
 	column.appendKey = [=](const OperandElementsAccess::Spot& face, std::string& key) {
 		return appendConstant(has[face.operand] ? cornerValues(face)

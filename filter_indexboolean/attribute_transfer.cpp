@@ -28,7 +28,7 @@ AttributeTransfer::AttributeTransfer(const std::array<MeshModel*, 2>& layers,
 
 AttributeNeeds AttributeTransfer::needs() const {
 	return {std::any_of(columns_.begin(), columns_.end(),
-	                    [](const AttributeColumn& c) { return c.perCorner; }),
+	                    [](const AttributeColumn& c) { return c.of == ElementKind::Corner; }),
 	        options_.partCurve};
 }
 
@@ -64,70 +64,59 @@ std::array<std::vector<std::uint32_t>, 2> AttributeTransfer::faceClasses() const
 	return classes;
 }
 
-Status AttributeTransfer::writeProvenance(const SourcedMesh& mesh, const AttributeSources& sources,
-                                          Monitor& monitor, MeshModel& layer) const {
-	using Allocator = vcg::tri::Allocator<CMeshO>;
-	auto faceMesh = Allocator::AddPerFaceAttribute<Scalarm>(layer.cm, kSourceMesh);
-	auto face = Allocator::AddPerFaceAttribute<Scalarm>(layer.cm, kSourceFace);
-	Status status = parallelFor(sources.face.size(), kElementGrain, 0, monitor,
-	                            [&](std::size_t begin, std::size_t end) {
-		                            for (std::size_t f = begin; f < end; ++f) {
-			                            const auto spot = access_.face(sources.face[f]);
-			                            faceMesh[f] = static_cast<Scalarm>(spot.operand);
-			                            face[f] = static_cast<Scalarm>(spot.position);
-		                            }
-	                            });
-	if (!status.ok())
-		return status;
-	auto vertexMesh = Allocator::AddPerVertexAttribute<Scalarm>(layer.cm, kSourceMesh);
-	auto vertex = Allocator::AddPerVertexAttribute<Scalarm>(layer.cm, kSourceVertex);
-	return parallelFor(
-	    sources.vertex.size(), kElementGrain, 0, monitor, [&](std::size_t begin, std::size_t end) {
-		    for (std::size_t v = begin; v < end; ++v) {
-			    const std::uint32_t given =
-			        sources.isMix(v) ? mesh.vertexSource[v].value : sources.vertex[v];
-			    const bool isNew = given >= sources.vertexCount;
-			    const auto spot = isNew ? OperandElementsAccess::Spot{} : access_.vertex(given);
-			    vertexMesh[v] = isNew ? Scalarm(-1) : static_cast<Scalarm>(spot.operand);
-			    vertex[v] = isNew ? Scalarm(-1) : static_cast<Scalarm>(spot.position);
-		    }
-	    });
+void AttributeTransfer::prepareFaceProvenance(const AttributeSources& sources, MeshModel& layer,
+                                              ElementWriters& writers) const {
+	const std::size_t n = sources.face.size();
+	auto mesh = addFaceAttribute<Scalarm>(kSourceMesh, n, layer.cm);
+	auto face = addFaceAttribute<Scalarm>(kSourceFace, n, layer.cm);
+	writers.faces.push_back([=, &sources](std::size_t begin, std::size_t end) mutable {
+		for (std::size_t f = begin; f < end; ++f) {
+			const auto spot = access_.face(sources.face[f]);
+			mesh[f] = static_cast<Scalarm>(spot.operand);
+			face[f] = static_cast<Scalarm>(spot.position);
+		}
+	});
 }
 
-void AttributeTransfer::selectCurve(const SourcedMesh& mesh, const AttributeSources& sources,
-                                    MeshModel& layer) const {
-	for (std::size_t v = 0; v < mesh.vertexSource.size(); ++v) {
-		if (mesh.vertexSource[v].value >= sources.vertexCount)
-			layer.cm.vert[v].SetS();
-		else
-			layer.cm.vert[v].ClearS();
-	}
+void AttributeTransfer::prepareVertexProvenance(const SourcedMesh& mesh,
+                                                const AttributeSources& sources, MeshModel& layer,
+                                                ElementWriters& writers) const {
+	const std::size_t n = sources.vertex.size();
+	auto vertexMesh = addVertexAttribute<Scalarm>(kSourceMesh, n, layer.cm);
+	auto vertex = addVertexAttribute<Scalarm>(kSourceVertex, n, layer.cm);
+	writers.vertices.push_back([=, &mesh, &sources](std::size_t begin, std::size_t end) mutable {
+		for (std::size_t v = begin; v < end; ++v) {
+			const std::uint32_t given =
+			    sources.isMix(v) ? mesh.vertexSource[v].value : sources.vertex[v];
+			const bool isNew = given >= sources.vertexCount;
+			const auto spot = isNew ? OperandElementsAccess::Spot{} : access_.vertex(given);
+			vertexMesh[v] = isNew ? Scalarm(-1) : static_cast<Scalarm>(spot.operand);
+			vertex[v] = isNew ? Scalarm(-1) : static_cast<Scalarm>(spot.position);
+		}
+	});
 }
 
-void AttributeTransfer::countSelected(MeshModel& layer) const {
-	using Selection = vcg::tri::UpdateSelection<CMeshO>;
-	const OperandElements &first = access_.elements(0), &second = access_.elements(1);
-	if (first.anyVertexSelected || second.anyVertexSelected || options_.selectCurve)
-		layer.cm.svn = static_cast<int>(Selection::VertexCount(layer.cm));
-	if (first.anyFaceSelected || second.anyFaceSelected)
-		layer.cm.sfn = static_cast<int>(Selection::FaceCount(layer.cm));
-}
-
-Status AttributeTransfer::write(const SourcedMesh& mesh, const AttributeSources& sources,
-                                const std::array<bool, 2>& turned, Monitor& monitor,
-                                MeshModel& layer) const {
-	Status status = normalColumn(access_, turned).write(sources, monitor, layer);
+void AttributeTransfer::prepare(const SourcedMesh& mesh, const AttributeSources& sources,
+                                const std::array<bool, 2>& turned, MeshModel& layer,
+                                ElementWriters& writers) const {
+	writers.vertices.push_back(normalColumn(access_, turned).prepare(sources, layer));
 	for (const AttributeColumn& column : columns_) {
-		if (status.ok())
-			status = column.write(sources, monitor, layer);
+		(column.of == ElementKind::Vertex ? writers.vertices : writers.faces)
+		    .push_back(column.prepare(sources, layer));
 	}
-	if (status.ok())
-		status = writeProvenance(mesh, sources, monitor, layer);
-	if (status.ok() && options_.selectCurve)
-		selectCurve(mesh, sources, layer);
-	countSelected(layer);
+	prepareFaceProvenance(sources, layer, writers);
+	prepareVertexProvenance(mesh, sources, layer, writers);
+	if (options_.selectCurve) {
+		writers.vertices.push_back([&mesh, &sources, &layer](std::size_t begin, std::size_t end) {
+			for (std::size_t v = begin; v < end; ++v) {
+				if (mesh.vertexSource[v].value >= sources.vertexCount)
+					layer.cm.vert[v].SetS();
+				else
+					layer.cm.vert[v].ClearS();
+			}
+		});
+	}
 	textures_.addTo(layer);
-	return status;
 }
 
 std::vector<std::string> AttributeTransfer::messages(const LayerNames& names) const {

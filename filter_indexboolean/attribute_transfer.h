@@ -40,11 +40,13 @@ public:
 	// both of them. Empty if there are no attributes.
 	std::array<std::vector<std::uint32_t>, 2> faceClasses() const;
 
-	// Writes the normals, all attributes and where each element comes from into a layer.
-	// \param turned which operands' faces the core has turned
-	// \return Ok or Cancelled. Throws std::bad_alloc.
-	Status write(const SourcedMesh& mesh, const AttributeSources& sources,
-	             const std::array<bool, 2>& turned, Monitor& monitor, MeshModel& layer) const;
+	// Makes room for all attributes in an empty layer, and adds what writes them, the normals, and
+	// where each element comes from. Throws std::bad_alloc.
+	// \param mesh    what the layer will hold, with its sources; both borrowed
+	// \param turned  which operands' faces the core has turned
+	void prepare(const SourcedMesh& mesh, const AttributeSources& sources,
+	             const std::array<bool, 2>& turned, MeshModel& layer,
+	             ElementWriters& writers) const;
 
 	// A sentence for each operand that lacks what the other carries.
 	std::vector<std::string> messages(const LayerNames& names) const;
@@ -52,12 +54,10 @@ public:
 private:
 	bool areSame(const OperandElementsAccess::Spot& a, const OperandElementsAccess::Spot& b,
 	             bool alsoNormals) const;
-	Status writeProvenance(const SourcedMesh& mesh, const AttributeSources& sources,
-	                       Monitor& monitor, MeshModel& layer) const;
-	void selectCurve(const SourcedMesh& mesh, const AttributeSources& sources,
-	                 MeshModel& layer) const;
-
-	void countSelected(MeshModel& layer) const;
+	void prepareFaceProvenance(const AttributeSources& sources, MeshModel& layer,
+	                           ElementWriters& writers) const;
+	void prepareVertexProvenance(const SourcedMesh& mesh, const AttributeSources& sources,
+	                             MeshModel& layer, ElementWriters& writers) const;
 
 	AttributeOptions options_;
 	OperandElementsAccess access_;

@@ -71,9 +71,9 @@ std::vector<LayerContent> contentsOf(const BooleanResult& result, const BooleanR
 		    QString::fromStdString(blockLabel(block.operation, names[0].label, names[1].label));
 		content.surface = &block;
 		if (transfer != nullptr) {
-			content.writeAttributes = [&result, &block, transfer, i](Monitor& monitor,
-			                                                         MeshModel& layer) {
-				return transfer->write(block, result.sources[i], result.turned, monitor, layer);
+			content.prepareAttributes = [&result, &block, transfer, i](MeshModel& layer,
+			                                                           ElementWriters& writers) {
+				transfer->prepare(block, result.sources[i], result.turned, layer, writers);
 			};
 		}
 		contents.push_back(std::move(content));

@@ -45,8 +45,8 @@ LayerContent contentOf(const SplitLayer& layer, const AttributeSources& sources,
 	LayerContent content;
 	content.label = QString::fromStdString(layer.label);
 	content.surface = &layer;
-	content.writeAttributes = [&](Monitor& monitor, MeshModel& model) {
-		return transfer.write(layer, sources, {false, false}, monitor, model);
+	content.prepareAttributes = [&](MeshModel& model, ElementWriters& writers) {
+		transfer.prepare(layer, sources, {false, false}, model, writers);
 	};
 	for (std::size_t k = 0; k < layer.numbers.size(); ++k) {
 		if (static_cast<FaceNumber>(k) != FaceNumber::SubBlock ||

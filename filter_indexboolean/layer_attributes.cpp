@@ -277,8 +277,9 @@ void ColumnList::addVertexAttribute(const std::string& name, Value missing) {
 	add(vertexColumn<Value>(
 	    access_, "vertex attribute \"" + name + "\"", arrays.has(), missing,
 	    [arrays](std::size_t operand, std::size_t v) { return arrays.at<Value>(operand, v); },
-	    [name](MeshModel& layer, const AttributeSources&) {
-		    auto out = vcg::tri::Allocator<CMeshO>::AddPerVertexAttribute<Value>(layer.cm, name);
+	    [name](MeshModel& layer, const AttributeSources& sources) {
+		    auto out =
+		        index_boolean::addVertexAttribute<Value>(name, sources.vertex.size(), layer.cm);
 		    return [out](std::size_t v, const Value& value) mutable { out[v] = value; };
 	    }));
 }
@@ -290,8 +291,8 @@ void ColumnList::addFaceAttribute(const std::string& name, Value missing) {
 	add(faceColumn<Value>(
 	    access_, "face attribute \"" + name + "\"", arrays.has(), missing,
 	    [arrays](std::size_t operand, std::size_t f) { return arrays.at<Value>(operand, f); },
-	    [name](MeshModel& layer, const AttributeSources&) {
-		    auto out = vcg::tri::Allocator<CMeshO>::AddPerFaceAttribute<Value>(layer.cm, name);
+	    [name](MeshModel& layer, const AttributeSources& sources) {
+		    auto out = index_boolean::addFaceAttribute<Value>(name, sources.face.size(), layer.cm);
 		    return [out](std::size_t f, const Value& value) mutable { out[f] = value; };
 	    }));
 }

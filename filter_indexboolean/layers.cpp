@@ -4,6 +4,8 @@
 // Meshes are built in place inside their layers, since a copy costs more than the whole Boolean.
 #include "layers.h"
 
+#include <algorithm>
+#include <deque>
 #include <new>
 
 namespace index_boolean {
@@ -49,86 +51,37 @@ private:
 	std::vector<MeshModel*> layers_;
 };
 
-const Points& pointsOf(const LayerContent& content) {
-	return content.surface != nullptr ? content.surface->points : content.curves->points;
-}
+// The vertices or the faces of one layer.
+struct WritingTask {
+	LayerWriter* writer;
+	void (LayerWriter::*write)(Monitor&);
+	std::size_t bytes;
+};
 
-std::size_t faceCountOf(const LayerContent& content) {
-	return content.surface != nullptr ? content.surface->triangles.size() : 0;
-}
-
-std::size_t elementCount(const std::vector<LayerContent>& contents) {
-	std::size_t count = 0;
-	for (const LayerContent& content : contents)
-		count += pointsOf(content).size() + faceCountOf(content);
-	return count;
-}
-
-void writeVertexAttribute(const ScalarAttribute& attribute, CMeshO& mesh) {
-	auto handle = vcg::tri::Allocator<CMeshO>::AddPerVertexAttribute<Scalarm>(mesh, attribute.name);
-	for (std::size_t i = 0; i < attribute.values.size(); ++i)
-		handle[i] = static_cast<Scalarm>(attribute.values[i]);
-}
-
-void writeFaceAttribute(const ScalarAttribute& attribute, CMeshO& mesh) {
-	auto handle = vcg::tri::Allocator<CMeshO>::AddPerFaceAttribute<Scalarm>(mesh, attribute.name);
-	for (std::size_t i = 0; i < attribute.values.size(); ++i)
-		handle[i] = static_cast<Scalarm>(attribute.values[i]);
-}
-
-void writeFaceColours(const std::vector<vcg::Color4b>& colours, MeshModel& layer) {
-	if (colours.empty())
-		return;
-	layer.updateDataMask(MeshModel::MM_FACECOLOR);
-	for (std::size_t i = 0; i < colours.size(); ++i)
-		layer.cm.face[i].C() = colours[i];
-}
-
-Status fillWithSurface(const LayerContent& content, Monitor& monitor, MeshModel& layer) {
-	const SourcedMesh& surface = *content.surface;
-	Status status = fillSurface(surface.points, surface.triangles, monitor, layer.cm);
-	if (status.ok() && !surface.faux.empty()) {
-		status = fillFauxEdges(surface.faux, monitor, layer.cm);
-		layer.updateDataMask(MeshModel::MM_POLYGONAL);
-	}
-	if (!status.ok())
-		return status;
-	writeFaceColours(content.faceColours, layer);
-	return content.writeAttributes
-	           ? content.writeAttributes(monitor, layer)
-	           : fillVertexNormals(surface.points, surface.triangles, monitor, layer.cm);
-}
-
-// Fills a layer that has room for the content's vertices and faces.
-Status fillLayer(const LayerContent& content, Monitor& monitor, MeshModel& layer) {
-	Status status;
-	if (content.surface != nullptr) {
-		status = fillWithSurface(content, monitor, layer);
-	} else {
-		status = fillSurface(content.curves->points, {}, monitor, layer.cm);
-		addEdges(content.curves->edges, layer.cm);
-	}
-	for (const ScalarAttribute& attribute : content.vertexAttributes)
-		writeVertexAttribute(attribute, layer.cm);
-	for (const ScalarAttribute& attribute : content.faceAttributes)
-		writeFaceAttribute(attribute, layer.cm);
-	return status;
-}
-
-// Fills the layers, which have no elements yet. Making room is more than half of the work, since
-// memory is touched for the first time: of large layers, several are made room in at the same time.
+// Fills the layers, which have no elements yet. Each vector is touched by one thread from front to
+// back; the largest are begun first, so that none is left over when the others are done.
 Status fillLayers(const std::vector<LayerContent>& contents, Monitor& monitor,
                   const std::vector<MeshModel*>& layers) {
-	const std::size_t grain = elementCount(contents) > kElementGrain ? 1 : contents.size();
-	const auto allocate = [&](std::size_t begin, std::size_t end) {
-		for (std::size_t i = begin; i < end; ++i) {
-			allocateSurface(pointsOf(contents[i]).size(), faceCountOf(contents[i]), layers[i]->cm);
-		}
-	};
-	Status status = parallelFor(contents.size(), grain, 0, monitor, allocate);
-	for (std::size_t i = 0; i < contents.size() && status.ok(); ++i)
-		status = fillLayer(contents[i], monitor, *layers[i]);
-	return status;
+	std::deque<LayerWriter> writers;
+	std::vector<WritingTask> tasks;
+	std::size_t bytes = 0;
+	for (std::size_t i = 0; i < contents.size(); ++i) {
+		LayerWriter& writer = writers.emplace_back(contents[i], *layers[i]);
+		const Status status = writer.begin(monitor);
+		if (!status.ok())
+			return status;
+		tasks.push_back({&writer, &LayerWriter::writeVertices, writer.vertexBytes()});
+		tasks.push_back({&writer, &LayerWriter::writeFaces, writer.faceBytes()});
+		bytes += writer.vertexBytes() + writer.faceBytes();
+	}
+	std::stable_sort(tasks.begin(), tasks.end(),
+	                 [](const WritingTask& a, const WritingTask& b) { return a.bytes > b.bytes; });
+	constexpr std::size_t kWorthThreads = std::size_t{1} << 20;
+	const std::size_t grain = bytes > kWorthThreads ? 1 : tasks.size();
+	return parallelFor(tasks.size(), grain, 0, monitor, [&](std::size_t begin, std::size_t end) {
+		for (std::size_t i = begin; i < end; ++i)
+			(tasks[i].writer->*tasks[i].write)(monitor);
+	});
 }
 
 }  // namespace

@@ -16,30 +16,18 @@
 
 #include <vcg/complex/complex.h>
 
-#ifdef _OPENMP
-#include <omp.h>
-#endif
-
 #include <algorithm>
 #include <atomic>
 #include <cmath>
 #include <cstddef>
 #include <functional>
 #include <new>
+#include <string>
 
 namespace index_boolean {
 
 // The number of elements that one thread reads or writes at a time.
 constexpr std::size_t kElementGrain = 16384;
-
-// How many threads the parallel loops use.
-inline std::size_t threadCount() {
-#ifdef _OPENMP
-	return static_cast<std::size_t>(omp_get_max_threads());
-#else
-	return 1;
-#endif
-}
 
 // The positions of the elements that are not deleted, in order; an empty vector if all of
 // `elements` live, so that the usual mesh pays nothing.
@@ -125,29 +113,11 @@ struct OperandElements {
 	bool anyVertexSelected = false, anyFaceSelected = false;
 };
 
-// Reads the faux edges of the operand whose faces are the last in the arrays, if there are any:
-// most meshes have none.
+// Reads the faux edges of the operand whose faces are the last in the arrays.
 template <class TriMesh>
-Status appendFauxEdges(const TriMesh& mesh, Monitor& monitor, OperandElements& elements,
+Status appendFauxEdges(const TriMesh& mesh, const LiveElements& faces, Monitor& monitor,
                        MeshArrays& out) {
-	const LiveElements& faces = elements.faces;
 	const std::size_t first = out.triangles.size() - faces.count;
-	std::atomic<bool> anyFaux{false}, anySelected{false};
-	Status status = parallelFor(faces.count, kElementGrain, 0, monitor,
-	                            [&](std::size_t begin, std::size_t end) {
-		                            bool faux = false, selected = false;
-		                            for (std::size_t i = begin; i < end; ++i) {
-			                            faux |= mesh.face[faces[i]].IsAnyF();
-			                            selected |= mesh.face[faces[i]].IsS();
-		                            }
-		                            if (faux)
-			                            anyFaux = true;
-		                            if (selected)
-			                            anySelected = true;
-	                            });
-	elements.anyFaceSelected = anySelected;
-	if (!status.ok() || !anyFaux)
-		return status;
 	out.faux.resize(out.triangles.size(), 0);
 	return parallelFor(
 	    faces.count, kElementGrain, 0, monitor, [&](std::size_t begin, std::size_t end) {
@@ -178,7 +148,7 @@ Status appendOperand(const TriMesh& mesh,
 	const LiveElements &vertices = elements.vertices, &faces = elements.faces;
 	growArrays(vertices.count, faces.count, operand, out);
 	Point* points = out.points.data() + (out.points.size() - vertices.count);
-	std::atomic<bool> anySelected{false};
+	std::atomic<bool> anySelected{false}, anyFaceSelected{false}, anyFaux{false};
 	const auto readPoints = [&](std::size_t begin, std::size_t end) {
 		bool selected = false;
 		for (std::size_t i = begin; i < end; ++i) {
@@ -199,13 +169,21 @@ Status appendOperand(const TriMesh& mesh,
 	const VertexNumbering<TriMesh> ids(mesh, vertices, out.points.size() - vertices.count);
 	Triangle* triangles = out.triangles.data() + (out.triangles.size() - faces.count);
 	const auto readTriangles = [&](std::size_t begin, std::size_t end) {
+		bool faux = false, selected = false;
 		for (std::size_t i = begin; i < end; ++i) {
 			const auto& face = mesh.face[faces[i]];
 			triangles[i] = {ids.of(face.cV(0)), ids.of(face.cV(1)), ids.of(face.cV(2))};
+			faux |= face.IsAnyF();
+			selected |= face.IsS();
 		}
+		if (faux)
+			anyFaux = true;
+		if (selected)
+			anyFaceSelected = true;
 	};
 	status = parallelFor(faces.count, kElementGrain, 0, monitor, readTriangles);
-	return status.ok() ? appendFauxEdges(mesh, monitor, elements, out) : status;
+	elements.anyFaceSelected = anyFaceSelected;
+	return status.ok() && anyFaux ? appendFauxEdges(mesh, faces, monitor, out) : status;
 }
 
 using IndexedEdge = std::array<std::uint32_t, 2>;
@@ -231,25 +209,6 @@ inline Point scaledNormal(const Points& points, const IndexTriangle& triangle, d
 	return {u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]};
 }
 
-// Adds to `sums` the normals of the faces at each vertex of [begin, end), in the faces' order.
-inline void sumNormals(const Points& points, const IndexTriangles& triangles, double scale,
-                       std::size_t begin, std::size_t end, Points& sums) {
-	for (const IndexTriangle& triangle : triangles) {
-		std::array<bool, 3> inside;
-		for (std::size_t corner = 0; corner < 3; ++corner)
-			inside[corner] = triangle[corner] - begin < end - begin;  // false below begin: it wraps
-		if (!inside[0] && !inside[1] && !inside[2])
-			continue;
-		const Point normal = scaledNormal(points, triangle, scale);
-		for (std::size_t corner = 0; corner < 3; ++corner) {
-			if (inside[corner]) {
-				Point& sum = sums[triangle[corner]];
-				sum = {sum[0] + normal[0], sum[1] + normal[1], sum[2] + normal[2]};
-			}
-		}
-	}
-}
-
 // The direction of a vector; zero if it has none.
 inline Point direction(const Point& v) {
 	const double length = std::sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
@@ -265,98 +224,118 @@ typename TriMesh::CoordType toCoordinate(const Point& p) {
 	                                   static_cast<Scalar>(p[2]));
 }
 
-// Makes room in an empty mesh for a surface that fillSurface then writes.
-// Throws std::bad_alloc. Several meshes may be allocated at the same time.
+// A surface on its way into an empty mesh: coordinates, faces, their unit normals, faux edges,
+// bounding box. Elements are appended in ranges and written while the cache still holds them, since
+// memory that is touched twice costs more than all else. Vertices and faces may be written at the
+// same time, each by one thread.
 template <class TriMesh>
-void allocateSurface(std::size_t vertexCount, std::size_t faceCount, TriMesh& out) {
-	reserveHuge(out.vert, vertexCount);
-	reserveHuge(out.face, faceCount);
-	vcg::tri::Allocator<TriMesh>::AddVertices(out, vertexCount);
-	vcg::tri::Allocator<TriMesh>::AddFaces(out, faceCount);
-}
+class SurfaceWriter {
+public:
+	// \param points    coordinates that the mesh's scalar holds, else they are rounded
+	// \param triangles of indices into points
+	// \param faux      per face, as in MeshArrays; empty: there is none
+	// \param out       borrowed, as all arrays are
+	SurfaceWriter(const Points& points, const IndexTriangles& triangles,
+	              const std::vector<std::uint8_t>& faux, TriMesh& out)
+	    : points_(points), triangles_(triangles), faux_(faux), out_(out) {}
 
-// The box of all points; all zero if there is none. \return Ok or Cancelled
-inline Status boxOf(const Points& points, Monitor& monitor, BoundingBox& box) {
-	return points.empty() ? Status{}
-	                      : findBoundingBox(points.data(), points.size(), 0, monitor, box);
-}
+	// Makes room, also for the optional components and attributes that the mesh has, and writes the
+	// bounding box. \return Ok or Cancelled. Throws std::bad_alloc. O(n), in parallel.
+	Status begin(Monitor& monitor);
 
-// Writes a surface into a mesh of its size: coordinates, faces, bounding box, and the faces' unit
-// normals.
-// \param points    coordinates that the mesh's scalar holds, else they are rounded
-// \param triangles of indices into points
-// \param out       made by allocateSurface for these counts
-// \return Ok or Cancelled. Throws std::bad_alloc.
-// Complexity: O(n), in parallel.
+	// Has the vertices written with unit normals: those of their faces, weighted by area, as in the
+	// results of MeshLab's own Booleans. \pre begun; no vertex has been written
+	// \return Ok or Cancelled. Throws std::bad_alloc. O(n), on this thread.
+	Status findVertexNormals(Monitor& monitor);
+
+	// Append the elements [begin, end). \pre begun; the mesh has those before. Throw
+	// std::bad_alloc. O(n).
+	void appendVertices(std::size_t begin, std::size_t end);
+	void appendFaces(std::size_t begin, std::size_t end);
+
+private:
+	const Points& points_;
+	const IndexTriangles& triangles_;
+	const std::vector<std::uint8_t>& faux_;
+	TriMesh& out_;
+	double scale_ = 1;
+	Points normalSums_;
+};
+
 template <class TriMesh>
-Status fillSurface(const Points& points, const IndexTriangles& triangles, Monitor& monitor,
-                   TriMesh& out) {
+Status SurfaceWriter<TriMesh>::begin(Monitor& monitor) {
+	reserveHuge(out_.vert, points_.size());
+	reserveHuge(out_.face, triangles_.size());
+	out_.vert.reserve(points_.size());
+	out_.face.reserve(triangles_.size());
+	out_.bbox.SetNull();
+	if (points_.empty())
+		return {};
 	BoundingBox box{};
-	Status status = boxOf(points, monitor, box);
-	if (!status.ok())
-		return status;
-	const double scale = unitScale(box);
-	const auto writeVertices = [&](std::size_t begin, std::size_t end) {
-		for (std::size_t i = begin; i < end; ++i)
-			out.vert[i].P() = toCoordinate<TriMesh>(points[i]);
-	};
-	status = parallelFor(points.size(), kElementGrain, 0, monitor, writeVertices);
-	if (!status.ok())
-		return status;
-
-	const auto writeFaces = [&](std::size_t begin, std::size_t end) {
-		for (std::size_t i = begin; i < end; ++i) {
-			auto& face = out.face[i];
-			for (int corner = 0; corner < 3; ++corner)
-				face.V(corner) = &out.vert[triangles[i][static_cast<std::size_t>(corner)]];
-			face.N() = toCoordinate<TriMesh>(direction(scaledNormal(points, triangles[i], scale)));
-		}
-	};
-	out.bbox.SetNull();
-	if (!points.empty()) {  // rounding never swaps two coordinates
-		out.bbox.Add(toCoordinate<TriMesh>(box.lo));
-		out.bbox.Add(toCoordinate<TriMesh>(box.hi));
+	const Status status = findBoundingBox(points_.data(), points_.size(), 0, monitor, box);
+	if (status.ok()) {  // rounding never swaps two coordinates
+		out_.bbox.Add(toCoordinate<TriMesh>(box.lo));
+		out_.bbox.Add(toCoordinate<TriMesh>(box.hi));
+		scale_ = unitScale(box);
 	}
-	return parallelFor(triangles.size(), kElementGrain, 0, monitor, writeFaces);
+	return status;
 }
 
-// Gives the vertices of a surface written before unit normals: those of their faces, weighted by
-// area, as in the results of MeshLab's own Booleans. Parameters, errors as above.
 template <class TriMesh>
-Status fillVertexNormals(const Points& points, const IndexTriangles& triangles, Monitor& monitor,
-                         TriMesh& out) {
-	BoundingBox box{};
-	const Status status = boxOf(points, monitor, box);
-	if (!status.ok())
-		return status;
-	const double scale = unitScale(box);
-	Points normalSums;
-	assignHuge(normalSums, points.size(), Point{0, 0, 0});
-	const auto writeNormals = [&](std::size_t begin, std::size_t end) {
-		sumNormals(points, triangles, scale, begin, end, normalSums);
-		for (std::size_t i = begin; i < end; ++i)
-			out.vert[i].N() = toCoordinate<TriMesh>(direction(normalSums[i]));
-	};
-	// Each range passes over all faces, so there is one for each thread; the sums do not depend on
-	// the ranges.
-	const std::size_t vertexGrain = std::max(kElementGrain, points.size() / threadCount() + 1);
-	return parallelFor(points.size(), vertexGrain, 0, monitor, writeNormals);
-}
-
-// Marks the faux edges of a surface written before.
-// \param faux per face, as in MeshArrays; empty: there is none
-// \return Ok or Cancelled
-template <class TriMesh>
-Status fillFauxEdges(const std::vector<std::uint8_t>& faux, Monitor& monitor, TriMesh& out) {
-	const auto write = [&](std::size_t begin, std::size_t end) {
+Status SurfaceWriter<TriMesh>::findVertexNormals(Monitor& monitor) {
+	assignHuge(normalSums_, points_.size(), Point{0, 0, 0});
+	const auto sum = [&](std::size_t begin, std::size_t end) {
 		for (std::size_t i = begin; i < end; ++i) {
-			for (int edge = 0; edge < 3; ++edge) {
-				if ((faux[i] >> edge & 1) != 0)
-					out.face[i].SetF(edge);
+			const Point normal = scaledNormal(points_, triangles_[i], scale_);
+			for (const std::uint32_t corner : triangles_[i]) {
+				for (std::size_t axis = 0; axis < 3; ++axis)
+					normalSums_[corner][axis] += normal[axis];
 			}
 		}
 	};
-	return parallelFor(faux.size(), kElementGrain, 0, monitor, write);
+	return inOrderFor(triangles_.size(), kElementGrain, monitor, sum);
+}
+
+template <class TriMesh>
+void SurfaceWriter<TriMesh>::appendVertices(std::size_t begin, std::size_t end) {
+	vcg::tri::Allocator<TriMesh>::AddVertices(out_, end - begin);
+	for (std::size_t i = begin; i < end; ++i) {
+		out_.vert[i].P() = toCoordinate<TriMesh>(points_[i]);
+		if (!normalSums_.empty())
+			out_.vert[i].N() = toCoordinate<TriMesh>(direction(normalSums_[i]));
+	}
+}
+
+template <class TriMesh>
+void SurfaceWriter<TriMesh>::appendFaces(std::size_t begin, std::size_t end) {
+	vcg::tri::Allocator<TriMesh>::AddFaces(out_, end - begin);
+	auto* vertices = out_.vert.data();  // not all of them are there yet, but room for them is
+	for (std::size_t i = begin; i < end; ++i) {
+		auto& face = out_.face[i];
+		const IndexTriangle& triangle = triangles_[i];
+		for (int corner = 0; corner < 3; ++corner)
+			face.V(corner) = vertices + triangle[static_cast<std::size_t>(corner)];
+		face.N() = toCoordinate<TriMesh>(direction(scaledNormal(points_, triangle, scale_)));
+		for (int edge = 0; !faux_.empty() && edge < 3; ++edge) {
+			if ((faux_[i] >> edge & 1) != 0)
+				face.SetF(edge);
+		}
+	}
+}
+
+// Adds a user's attribute to an empty mesh, with room for n values. Throws std::bad_alloc.
+template <class Value, class TriMesh>
+auto addVertexAttribute(const std::string& name, std::size_t n, TriMesh& out) {
+	auto attribute = vcg::tri::Allocator<TriMesh>::template AddPerVertexAttribute<Value>(out, name);
+	reserveHuge(attribute._handle->data, n);
+	return attribute;
+}
+
+template <class Value, class TriMesh>
+auto addFaceAttribute(const std::string& name, std::size_t n, TriMesh& out) {
+	auto attribute = vcg::tri::Allocator<TriMesh>::template AddPerFaceAttribute<Value>(out, name);
+	reserveHuge(attribute._handle->data, n);
+	return attribute;
 }
 
 // Adds the edges of polylines between a mesh's vertices.

@@ -34,8 +34,11 @@ void addOctahedron(const Point& centre, const char* label, MeshDocument& documen
 	                               {3, 1, 4}, {0, 3, 4}, {2, 0, 4}, {1, 2, 4}};
 	MeshModel* layer = document.addNewMesh(QString(), label);
 	Monitor monitor;
-	allocateSurface(points.size(), triangles.size(), layer->cm);
-	ASSERT_TRUE(fillSurface(points, triangles, monitor, layer->cm).ok());
+	const std::vector<std::uint8_t> faux;
+	SurfaceWriter<CMeshO> writer(points, triangles, faux, layer->cm);
+	ASSERT_TRUE(writer.begin(monitor).ok());
+	writer.appendVertices(0, points.size());
+	writer.appendFaces(0, triangles.size());
 	layer->cm.face[2].SetS();
 }
 
