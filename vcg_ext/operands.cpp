@@ -557,7 +557,7 @@ Status prepareSurfaces(Arrangement& arrangement, Monitor& monitor) {
 	if (status.ok()) {
 		status = findClosed(arrangement, monitor);
 	}
-	if (status.ok() && !arrangement.mesh.faux.empty()) {
+	if (status.ok()) {
 		status = findNonManifold(arrangement, monitor);
 	}
 	if (status.ok()) {

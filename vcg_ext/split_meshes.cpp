@@ -67,7 +67,7 @@ std::array<std::int32_t, 2> Collector::besideOf(const ChosenFace& face) const {
 
 // Lists the vertices of the chosen faces, ascending: by marks unless few of all are chosen.
 void Collector::listVertices() {
-	const std::vector<RefinedFace>& faces = surfaces_.complex.faces;
+	const HugeVector<RefinedFace>& faces = surfaces_.complex.faces;
 	HugeVector<VertexId>& used = out_.vertexSource;
 	constexpr std::size_t kFewOf = 64;
 	if (chosen_.size() < faces.size() / kFewOf) {
@@ -175,7 +175,7 @@ Status collectSubSurfaces(const Arrangement& arrangement, const SubSurfaces& sur
                           SplitMesh& out) {
 	out = SplitMesh{};
 	Collector collector(arrangement, surfaces, blocks, monitor, out);
-	const std::vector<RefinedFace>& faces = surfaces.complex.faces;
+	const HugeVector<RefinedFace>& faces = surfaces.complex.faces;
 	collector.expect(faces.size());
 	const auto choose = [&](std::size_t begin, std::size_t end) {
 		for (std::size_t f = begin; f < end; ++f) {

@@ -67,12 +67,12 @@ void Assembler::uniteAtBorders() {
 		}
 	}
 	for (const PartingEdge& edge : complex_.parting) {
-		const std::uint32_t first = surfaceOf(complex_.halfEdges[edge.first].value / 3);
+		const std::uint32_t first = surfaceOf(complex_.faceAt(complex_.halfEdges[edge.first]));
 		if (edge.count == 1) {
 			sides_.unite(2 * first, 2 * first + 1);
 		}
 		for (std::uint32_t i = 1; i < edge.count; ++i) {
-			parts_.unite(first, surfaceOf(complex_.halfEdges[edge.first + i].value / 3));
+			parts_.unite(first, surfaceOf(complex_.faceAt(complex_.halfEdges[edge.first + i])));
 		}
 	}
 	parts_.flatten();
@@ -100,7 +100,7 @@ Status Assembler::uniteAround(const PartingEdge& edge) {
 		const std::uint32_t here = places[i].index;
 		const std::uint32_t next = places[(i + 1) % places.size()].index;
 		const auto faceAt = [&](std::uint32_t index) {
-			return complex_.halfEdges[edge.first + index].value / 3;
+			return complex_.faceAt(complex_.halfEdges[edge.first + index]);
 		};
 		sides_.unite(sideOf(faceAt(here), !halfPlanes[here].left),
 		             sideOf(faceAt(next), halfPlanes[next].left));

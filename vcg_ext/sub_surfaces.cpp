@@ -1,12 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The Index Boolean authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What is united are not faces but their sides: front with front where two faces run alike, front
-// with back where they do not. A surface whose two sides become one is one-sided.
+// What hangs together around plain vertices is a patch. What is then united are sides of patches:
+// front with front where two run alike, front with back where they do not. A surface whose two
+// sides become one is one-sided.
 #include "sub_surfaces.h"
 
 #include "concurrent_sets.h"
 #include "huge_pages.h"
+#include "mesh_checks.h"
 #include "parallel.h"
 #include "weld.h"
 
@@ -16,23 +18,38 @@ namespace index_boolean {
 
 namespace {
 
-constexpr std::uint32_t kNoFace = 0xffffffffu;
-constexpr std::size_t kGrain = 1 << 13;
+constexpr std::uint32_t kNone = 0xffffffffu;
+constexpr std::size_t kGrain = 1 << 14;
+
+// Consecutive faces of the complex whose fronts are, or whose backs are, one side of a set of
+// patches.
+struct Run {
+	std::uint32_t begin, end;
+	std::uint32_t side;      // in front of them, by the root of its set
+	std::uint32_t smallest;  // of the faces
+	Point least;             // the place of its first corner in lexicographic order, as rounded
+	SurfaceSums sums;        // seen from the front of the root
+};
 
 class Finder {
 public:
 	Finder(const Arrangement& arrangement, Monitor& monitor, SubSurfaces& out)
-	    : arrangement_(arrangement), monitor_(monitor), out_(out), complex_(out.complex) {}
+	    : arrangement_(arrangement), monitor_(monitor), out_(out), complex_(out.complex),
+	      vertexCount_(arrangement.mesh.points.size()) {}
 
 	Status run();
 
 private:
-	void uniteSidesOf(std::uint32_t face);
+	Status unitePatches();
+	Status numberPatches();
 	Status uniteSides();
-	Status findSmallestFaces();
+	void uniteAcross(HalfEdgeId h);
+	Status listRuns();
+	void listRuns(std::uint32_t begin, std::uint32_t end, std::vector<Run>& runs) const;
+	void addFace(std::uint32_t face, Run& run) const;
 	Status numberSubSurfaces();
+	void addSubSurface(std::uint32_t smallest);
 	Status listFaces();
-	Status measure();
 	Status traceCycles();
 	void listCycles();
 	BoundaryCycle trace(HalfEdgeId start, std::vector<std::uint8_t>& visited) const;
@@ -45,62 +62,102 @@ private:
 		return parallelFor(n, kGrain, arrangement_.options.threads, monitor_, body);
 	}
 
-	// Calls body(face) for all faces of the complex, ascending.
-	template <class Body>
-	Status forEachFace(Body&& body) {
-		return inOrderFor(complex_.faces.size(), kGrain, monitor_,
-		                  [&body](std::size_t begin, std::size_t end) {
-			                  for (std::size_t face = begin; face < end; ++face) {
-				                  body(static_cast<std::uint32_t>(face));
-			                  }
-		                  });
-	}
-
-	std::uint32_t rootOf(std::uint32_t face) const { return sides_.root(2 * face) / 2; }
-	bool isTurned(std::uint32_t face) const { return sides_.root(2 * face) % 2 != 0; }
+	std::uint32_t patchOf(VertexId plain) const { return patch_[patches_.root(plain.value)]; }
+	// Of the front of a patch, the root of its side's set.
+	std::uint32_t sideOf(std::uint32_t patch) const { return sides_.root(2 * patch); }
 	int compare(VertexId a, VertexId b) const { return comparePlaces(arrangement_, a, b); }
 	Triangle inOrder(std::uint32_t face) const;
 	bool isSmaller(std::uint32_t face, std::uint32_t than) const;
+	bool isBefore(std::uint32_t face, const Point& least, std::uint32_t than,
+	              const Point& leastOfOther) const;
 
 	const Arrangement& arrangement_;
 	Monitor& monitor_;
 	SubSurfaces& out_;
 	const SurfaceComplex& complex_;
-	ConcurrentSets sides_;                 // 2 * face: its front; 2 * face + 1: its back
-	std::vector<std::uint32_t> smallest_;  // per root face: the smallest of its set
+	std::size_t vertexCount_;                 // of the input
+	ConcurrentSets patches_;                  // of input vertices
+	std::unique_ptr<std::uint32_t[]> patch_;  // per root of these sets: its number
+	std::uint32_t patchCount_ = 0;
+	std::vector<std::uint32_t> nearPatch_;  // per near face
+	ConcurrentSets sides_;                  // 2 * patch: its front; 2 * patch + 1: its back
+	std::vector<std::vector<Run>> runs_;    // per chunk of the faces
+	std::vector<SubSurfaceId> ofSet_;       // per root patch
+	std::vector<const Run*> smallest_;      // per sub-surface: the run with its smallest face
 };
 
-// Unites the sides of a face with those across its edges.
-void Finder::uniteSidesOf(std::uint32_t face) {
-	for (std::uint32_t h = 3 * face; h < 3 * face + 3; ++h) {
-		const HalfEdgeId mate = complex_.mates[h];
-		if (mate == HalfEdgeId::none() || mate.value < h) {
-			continue;
+// All faces at a plain vertex are one patch.
+Status Finder::unitePatches() {
+	const std::size_t n = vertexCount_;
+	patches_ = ConcurrentSets(n);
+	Status status =
+	    forRanges(n, [this](std::size_t begin, std::size_t end) { patches_.makeSets(begin, end); });
+	const auto isPlain = [this](VertexId v) { return complex_.isPlain(v); };
+	const auto unite = [&](std::size_t begin, std::size_t end) {
+		for (std::size_t face = begin; face < end; ++face) {
+			const Triangle& t = complex_.faces[face].corners;
+			const auto first = std::find_if(t.begin(), t.end(), isPlain);
+			if (first == t.end()) {
+				continue;
+			}
+			const auto corner = [&](std::size_t i) {
+				return (isPlain(t[i]) ? t[i] : *first).value;
+			};
+			patches_.unite({corner(0), corner(1), corner(2)});
 		}
-		const std::uint32_t a = 2 * face, b = 2 * (mate.value / 3);
-		const std::uint32_t flip = complex_.beginOf({h}) == complex_.beginOf(mate) ? 1 : 0;
-		sides_.unite(a, b + flip);
-		sides_.unite(a + 1, b + 1 - flip);
+	};
+	if (status.ok()) {
+		status = forRanges(complex_.faces.size(), unite);
 	}
+	if (status.ok()) {
+		status = forRanges(
+		    n, [this](std::size_t begin, std::size_t end) { patches_.flatten(begin, end); });
+	}
+	return status;
+}
+
+// A near face without a plain vertex is a patch of its own.
+Status Finder::numberPatches() {
+	patch_ = makeHuge<std::uint32_t>(vertexCount_);
+	for (std::uint32_t v = 0; v < vertexCount_; ++v) {
+		if (patches_.root(v) == v && complex_.isPlain({v})) {
+			patch_[v] = patchCount_++;
+		}
+	}
+	nearPatch_.resize(complex_.nearFaces.size());
+	for (std::uint32_t n = 0; n < nearPatch_.size(); ++n) {
+		const Triangle& t = complex_.faces[complex_.nearFaces[n]].corners;
+		const auto plain =
+		    std::find_if(t.begin(), t.end(), [this](VertexId v) { return complex_.isPlain(v); });
+		nearPatch_[n] = plain == t.end() ? patchCount_++ : patchOf(*plain);
+	}
+	return {};
+}
+
+// Unites the sides of a near face with those across one of its edges.
+void Finder::uniteAcross(HalfEdgeId h) {
+	const HalfEdgeId mate = at(complex_.mates, h);
+	if (mate == HalfEdgeId::none() || mate < h) {
+		return;
+	}
+	const std::uint32_t a = 2 * nearPatch_[h.value / 3], b = 2 * nearPatch_[mate.value / 3];
+	const std::uint32_t flip = complex_.beginOf(h) == complex_.beginOf(mate) ? 1 : 0;
+	sides_.unite(a, b + flip);
+	sides_.unite(a + 1, b + 1 - flip);
 }
 
 Status Finder::uniteSides() {
-	const std::size_t faceCount = complex_.faces.size();
-	sides_ = ConcurrentSets(2 * faceCount);
-	Status status = forRanges(faceCount, [this](std::size_t begin, std::size_t end) {
-		sides_.makeSets(2 * begin, 2 * end);
+	const std::size_t n = 2 * std::size_t{patchCount_};
+	sides_ = ConcurrentSets(n);
+	sides_.makeSets(0, n);
+	Status status = forRanges(complex_.mates.size(), [this](std::size_t begin, std::size_t end) {
+		for (std::size_t h = begin; h < end; ++h) {
+			uniteAcross(makeId<HalfEdgeTag>(h));
+		}
 	});
 	if (status.ok()) {
-		status = forRanges(faceCount, [this](std::size_t begin, std::size_t end) {
-			for (std::size_t face = begin; face < end; ++face) {
-				uniteSidesOf(static_cast<std::uint32_t>(face));
-			}
-		});
-	}
-	if (status.ok()) {
-		status = forRanges(faceCount, [this](std::size_t begin, std::size_t end) {
-			sides_.flatten(2 * begin, 2 * end);
-		});
+		status = forRanges(
+		    n, [this](std::size_t begin, std::size_t end) { sides_.flatten(begin, end); });
 	}
 	return status;
 }
@@ -122,122 +179,175 @@ bool Finder::isSmaller(std::uint32_t face, std::uint32_t than) const {
 	return false;
 }
 
-Status Finder::findSmallestFaces() {
-	const std::size_t faceCount = complex_.faces.size();
-	const auto leftmost = [this](std::uint32_t face) {
-		const Triangle& t = complex_.faces[face].corners;
-		return std::min({arrangement_.coordinates(t[0])[0], arrangement_.coordinates(t[1])[0],
-		                 arrangement_.coordinates(t[2])[0]});
-	};
-	assignHuge(smallest_, faceCount, kNoFace);
-	const auto least = makeHuge<double>(faceCount);
-	return forEachFace([&](std::uint32_t face) {
-		const std::uint32_t root = rootOf(face);
-		const double x = leftmost(face);
-		std::uint32_t& best = smallest_[root];
-		if (best == kNoFace || x < least[root] || (x == least[root] && isSmaller(face, best))) {
-			best = face;
-			least[root] = x;
-		}
-	});
+// As isSmaller, for faces of which the places of their first corners are known.
+bool Finder::isBefore(std::uint32_t face, const Point& least, std::uint32_t than,
+                      const Point& leastOfOther) const {
+	return least < leastOfOther || (least == leastOfOther && isSmaller(face, than));
 }
 
-Status Finder::numberSubSurfaces() {
-	std::vector<std::uint32_t> order;  // the smallest faces
-	for (const std::uint32_t face : smallest_) {
-		if (face != kNoFace) {
-			order.push_back(face);
+void Finder::addFace(std::uint32_t face, Run& run) const {
+	const Triangle& t = complex_.faces[face].corners;
+	const Point &p = arrangement_.coordinates(t[0]), &q = arrangement_.coordinates(t[1]),
+	            &r = arrangement_.coordinates(t[2]);
+	const double x = std::min(std::min(p[0], q[0]), r[0]);
+	if (run.smallest == kNone || x <= run.least[0]) {
+		const Point& least = std::min(std::min(p, q), r);
+		if (run.smallest == kNone || isBefore(face, least, run.smallest, run.least)) {
+			run.smallest = face;
+			run.least = least;
 		}
 	}
-	std::sort(order.begin(), order.end(),
-	          [this](std::uint32_t a, std::uint32_t b) { return isSmaller(a, b); });
-	const auto ofRoot = makeHuge<SubSurfaceId>(complex_.faces.size());
-	for (const std::uint32_t face : order) {
-		const SubSurfaceId id = makeId<SubSurfaceTag>(out_.all.size());
-		SubSurface surface{};
-		surface.number = {-1, -1};
-		for (std::size_t operand = 0; operand < 2; ++operand) {
-			if (complex_.faces[face].sources[operand] != FaceId::none()) {
-				surface.number[operand] = static_cast<std::int32_t>(out_.ofOperand[operand].size());
-				out_.ofOperand[operand].push_back(id);
+	const bool turned = run.side % 2 != 0;
+	const SumFrame& frame = out_.frame;
+	addTriangle(frame.map(p), frame.map(turned ? r : q), frame.map(turned ? q : r), run.sums);
+}
+
+// The runs of the faces [begin, end), which are all looked at once.
+void Finder::listRuns(std::uint32_t begin, std::uint32_t end, std::vector<Run>& runs) const {
+	auto next = std::lower_bound(complex_.nearFaces.begin(), complex_.nearFaces.end(), begin);
+	Run run{begin, begin, kNone, kNone, {}, {}};
+	for (std::uint32_t face = begin; face < end; ++face) {
+		const bool isNear = next != complex_.nearFaces.end() && *next == face;
+		const std::uint32_t patch =
+		    isNear ? nearPatch_[static_cast<std::size_t>(next++ - complex_.nearFaces.begin())]
+		           : patchOf(complex_.faces[face].corners[0]);
+		const std::uint32_t side = sideOf(patch);
+		if (run.side != side) {
+			if (run.end != run.begin) {
+				runs.push_back(run);
 			}
+			run = {face, face, side, kNone, {}, {}};
 		}
-		const Triangle& corners = complex_.faces[face].corners;
-		const Triangle ordered = inOrder(face);
-		const auto first = std::find(corners.begin(), corners.end(), ordered[0]) - corners.begin();
-		const auto second = static_cast<std::size_t>(nextCorner(static_cast<int>(first)));
-		surface.frontFirst = corners[second] != ordered[1];
-		surface.oneSided = sides_.root(2 * face) == sides_.root(2 * face + 1);
-		ofRoot[rootOf(face)] = id;
-		out_.all.push_back(surface);
+		addFace(face, run);
+		run.end = face + 1;
 	}
-	resizeHuge(out_.ofFace, complex_.faces.size());
-	out_.turned.resize(complex_.faces.size());
-	return forEachFace([&](std::uint32_t face) {
-		const std::uint32_t root = rootOf(face);
-		out_.ofFace[face] = ofRoot[root];
-		out_.turned[face] = isTurned(face) != isTurned(smallest_[root]) ? 1 : 0;
-		++at(out_.all, ofRoot[root]).faceCount;
-	});
+	runs.push_back(run);
 }
 
-// The smallest face comes first.
-Status Finder::listFaces() {
-	std::uint32_t first = 0;
-	std::vector<std::uint32_t> next;
-	for (SubSurface& surface : out_.all) {
-		surface.firstFace = first;
-		next.push_back(first + 1);
-		first += surface.faceCount;
-	}
-	resizeHuge(out_.faces, first);
-	return forEachFace([&](std::uint32_t face) {
-		const SubSurfaceId id = out_.ofFace[face];
-		const bool isFirst = smallest_[rootOf(face)] == face;
-		out_.faces[isFirst ? at(out_.all, id).firstFace : at(next, id)++] = face;
-	});
-}
-
-// Sums in fixed chunks of the list of faces; a chunk has a part of one sub-surface or of several.
-Status Finder::measure() {
-	struct Part {
-		SubSurfaceId of;
-		SurfaceSums sums;
-	};
-	const int threads = arrangement_.options.threads;
+Status Finder::listRuns() {
 	const Points& points = arrangement_.mesh.points;
+	const int threads = arrangement_.options.threads;
 	BoundingBox box{};
 	Status status = findBoundingBox(points.data(), points.size(), threads, monitor_, box);
 	out_.frame = makeSumFrame(box);
-	std::vector<std::vector<Part>> chunks(chunkCount(out_.faces.size(), kGrain));
-	const auto sumChunk = [&](std::size_t chunk, std::size_t begin, std::size_t end) {
-		for (std::size_t i = begin; i < end; ++i) {
-			const std::uint32_t face = out_.faces[i];
-			if (chunks[chunk].empty() || chunks[chunk].back().of != out_.ofFace[face]) {
-				chunks[chunk].push_back({out_.ofFace[face], {}});
+	runs_.resize(chunkCount(complex_.faces.size(), kGrain));
+	const auto listChunk = [this](std::size_t chunk, std::size_t begin, std::size_t end) {
+		listRuns(static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(end), runs_[chunk]);
+	};
+	return status.ok()
+	           ? parallelForChunks(complex_.faces.size(), kGrain, threads, monitor_, listChunk)
+	           : status;
+}
+
+// Adds a sub-surface, whose smallest face is given.
+void Finder::addSubSurface(std::uint32_t smallest) {
+	const SubSurfaceId id = makeId<SubSurfaceTag>(out_.all.size());
+	SubSurface surface{};
+	surface.number = {-1, -1};
+	for (std::size_t operand = 0; operand < 2; ++operand) {
+		if (complex_.faces[smallest].sources[operand] != FaceId::none()) {
+			surface.number[operand] = static_cast<std::int32_t>(out_.ofOperand[operand].size());
+			out_.ofOperand[operand].push_back(id);
+		}
+	}
+	const Triangle& corners = complex_.faces[smallest].corners;
+	const Triangle ordered = inOrder(smallest);
+	const auto first = std::find(corners.begin(), corners.end(), ordered[0]) - corners.begin();
+	const auto second = static_cast<std::size_t>(nextCorner(static_cast<int>(first)));
+	surface.frontFirst = corners[second] != ordered[1];
+	out_.all.push_back(surface);
+}
+
+// Sub-surfaces are numbered in the order of their smallest faces.
+Status Finder::numberSubSurfaces() {
+	// Per root patch: the run with the smallest face, and the sums of all.
+	std::vector<const Run*> best(patchCount_);
+	std::vector<SurfaceSums> sums(patchCount_);
+	std::vector<std::uint32_t> faceCount(patchCount_);
+	for (const std::vector<Run>& chunk : runs_) {
+		for (const Run& run : chunk) {
+			const Run*& least = best[run.side / 2];
+			if (least == nullptr ||
+			    isBefore(run.smallest, run.least, least->smallest, least->least)) {
+				least = &run;
 			}
-			std::array<Point, 3> p{};
-			for (std::size_t k = 0; k < 3; ++k) {
-				p[k] = out_.frame.map(arrangement_.coordinates(complex_.faces[face].corners[k]));
+			sums[run.side / 2].add(run.sums, 1);
+			faceCount[run.side / 2] += run.end - run.begin;
+		}
+	}
+	std::vector<const Run*> order;
+	std::copy_if(best.begin(), best.end(), std::back_inserter(order),
+	             [](const Run* run) { return run != nullptr; });
+	std::sort(order.begin(), order.end(),
+	          [this](const Run* a, const Run* b) { return isSmaller(a->smallest, b->smallest); });
+	ofSet_.resize(patchCount_);
+	std::uint32_t first = 0;
+	for (const Run* run : order) {
+		const std::uint32_t patch = run->side / 2;
+		ofSet_[patch] = makeId<SubSurfaceTag>(out_.all.size());
+		addSubSurface(run->smallest);
+		SubSurface& surface = out_.all.back();
+		surface.oneSided = sides_.root(2 * patch) == sides_.root(2 * patch + 1);
+		surface.area = areaOf(sums[patch], out_.frame);
+		surface.faceCount = faceCount[patch];
+		surface.firstFace = first;
+		first += surface.faceCount;
+		smallest_.push_back(run);
+		out_.sums.emplace_back();
+		out_.sums.back().add(sums[patch], run->side % 2 == 0 ? 1 : -1);
+	}
+	return {};
+}
+
+// Lists the faces of each sub-surface, the smallest one first.
+Status Finder::listFaces() {
+	const std::size_t n = complex_.faces.size();
+	std::vector<std::uint32_t> next;
+	for (const SubSurface& surface : out_.all) {
+		next.push_back(surface.firstFace + 1);
+	}
+	std::vector<std::vector<std::uint32_t>> places(runs_.size());
+	for (std::size_t chunk = 0; chunk < runs_.size(); ++chunk) {
+		for (const Run& run : runs_[chunk]) {
+			const SubSurfaceId id = ofSet_[run.side / 2];
+			const std::uint32_t smallest = at(smallest_, id)->smallest;
+			places[chunk].push_back(at(next, id));
+			at(next, id) += run.end - run.begin;
+			at(next, id) -= smallest >= run.begin && smallest < run.end ? 1 : 0;
+		}
+	}
+	out_.ofFace.resize(n);
+	out_.turned.resize(n);
+	out_.faces.resize(n);
+	const auto fill = [&](std::size_t chunk, std::size_t, std::size_t) {
+		for (std::size_t i = 0; i < runs_[chunk].size(); ++i) {
+			const Run& run = runs_[chunk][i];
+			const SubSurfaceId id = ofSet_[run.side / 2];
+			const Run& first = *at(smallest_, id);
+			std::fill(&out_.ofFace[run.begin], &out_.ofFace[0] + run.end, id);
+			std::fill(&out_.turned[run.begin], &out_.turned[0] + run.end,
+			          run.side % 2 != first.side % 2 ? 1 : 0);
+			std::uint32_t place = places[chunk][i];
+			for (std::uint32_t face = run.begin; face < run.end; ++face) {
+				const bool isFirst = face == first.smallest;
+				out_.faces[isFirst ? at(out_.all, id).firstFace : place++] = face;
 			}
-			const bool turned = out_.turned[face] != 0;
-			addTriangle(p[0], turned ? p[2] : p[1], turned ? p[1] : p[2],
-			            chunks[chunk].back().sums);
 		}
 	};
-	if (status.ok()) {
-		status = parallelForChunks(out_.faces.size(), kGrain, threads, monitor_, sumChunk);
+	return parallelForChunks(n, kGrain, arrangement_.options.threads, monitor_, fill);
+}
+
+bool passesEachEdgeTwice(const std::vector<VertexId>& cycle) {
+	std::vector<std::pair<VertexId, VertexId>> edges;
+	for (std::size_t i = 0; i < cycle.size(); ++i) {
+		edges.push_back(std::minmax(cycle[i], cycle[i + 1 < cycle.size() ? i + 1 : 0]));
 	}
-	out_.sums.resize(out_.all.size());
-	for (const std::vector<Part>& chunk : chunks) {
-		for (const Part& part : chunk) {
-			at(out_.sums, part.of).add(part.sums, 1);
-		}
+	std::sort(edges.begin(), edges.end());
+	bool twice = edges.size() % 2 == 0;
+	for (std::size_t i = 0; i + 1 < edges.size() && twice; i += 2) {
+		twice = edges[i] == edges[i + 1];
 	}
-	for (std::size_t i = 0; i < out_.all.size(); ++i) {
-		out_.all[i].area = areaOf(out_.sums[i], out_.frame);
-	}
-	return status;
+	return twice;
 }
 
 // Starts at the smallest point of the cycle, and there with the smallest next one.
@@ -257,23 +367,20 @@ void Finder::beginAtSmallest(BoundaryCycle& cycle) const {
 // Follows the boundary from a half-edge on, with the sub-surface on its left as seen from its
 // front.
 BoundaryCycle Finder::trace(HalfEdgeId start, std::vector<std::uint8_t>& visited) const {
-	BoundaryCycle cycle{out_.ofFace[start.value / 3], false, {}};
-	const bool isTurned = out_.turned[start.value / 3] != 0;
-	VertexId point = isTurned ? complex_.endOf(start) : complex_.beginOf(start);
+	const std::uint32_t face = complex_.faceAt(start);
+	BoundaryCycle cycle{out_.ofFace[face], false, {}};
+	VertexId point = out_.turned[face] != 0 ? complex_.endOf(start) : complex_.beginOf(start);
 	HalfEdgeId h = start;
-	std::vector<std::pair<VertexId, VertexId>> edges;
+	std::uint64_t once = 0;  // the hashes of edges that have been passed an odd number of times
 	do {
 		at(visited, h) = 1;
 		cycle.points.push_back(point);
-		edges.push_back(std::minmax(complex_.beginOf(h), complex_.endOf(h)));
-		point = complex_.beginOf(h) == point ? complex_.endOf(h) : complex_.beginOf(h);
+		const VertexId begin = complex_.beginOf(h), end = complex_.endOf(h);
+		once ^= signedEdgeHash(std::min(begin, end).value, std::max(begin, end).value);
+		point = begin == point ? end : begin;
 		h = complex_.turnAround(h, point);
 	} while (h != start);
-	std::sort(edges.begin(), edges.end());
-	cycle.isSlit = edges.size() % 2 == 0;
-	for (std::size_t i = 0; i + 1 < edges.size() && cycle.isSlit; i += 2) {
-		cycle.isSlit = edges[i] == edges[i + 1];
-	}
+	cycle.isSlit = once == 0 && passesEachEdgeTwice(cycle.points);
 	beginAtSmallest(cycle);
 	return cycle;
 }
@@ -319,7 +426,7 @@ Status Finder::findSubSurfacesAtLoops() {
 		std::vector<SubSurfaceId> found;
 		if (const PartingEdge* edge = complex_.partingEdge(loop.points[0], loop.points[1])) {
 			for (std::uint32_t i = edge->first; i < edge->first + edge->count; ++i) {
-				found.push_back(out_.ofFace[complex_.halfEdges[i].value / 3]);
+				found.push_back(out_.ofFace[complex_.faceAt(complex_.halfEdges[i])]);
 			}
 		}
 		std::sort(found.begin(), found.end());
@@ -331,8 +438,8 @@ Status Finder::findSubSurfacesAtLoops() {
 
 Status Finder::run() {
 	Status status = buildComplex(arrangement_, ComplexOf::Everything, monitor_, out_.complex);
-	for (const auto step : {&Finder::uniteSides, &Finder::findSmallestFaces,
-	                        &Finder::numberSubSurfaces, &Finder::listFaces, &Finder::measure,
+	for (const auto step : {&Finder::unitePatches, &Finder::numberPatches, &Finder::uniteSides,
+	                        &Finder::listRuns, &Finder::numberSubSurfaces, &Finder::listFaces,
 	                        &Finder::traceCycles, &Finder::findSubSurfacesAtLoops}) {
 		if (status.ok()) {
 			status = (this->*step)();

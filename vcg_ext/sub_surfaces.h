@@ -41,11 +41,11 @@ struct SubSurface {
 struct SubSurfaces {
 	SurfaceComplex complex;
 	std::vector<SubSurface> all;
-	std::vector<SubSurfaceId> ofFace;  // per face of the complex
+	HugeVector<SubSurfaceId> ofFace;  // per face of the complex
 	// Per face of the complex: it is turned the other way than its sub-surface, whose front is that
 	// of its lexicographically smallest face.
-	std::vector<std::uint8_t> turned;
-	std::vector<std::uint32_t> faces;                    // of the complex, by sub-surface
+	HugeVector<std::uint8_t> turned;
+	HugeVector<std::uint32_t> faces;                     // of the complex, by sub-surface
 	std::array<std::vector<SubSurfaceId>, 2> ofOperand;  // by number
 	std::vector<BoundaryCycle> cycles;                   // by sub-surface
 	std::vector<std::vector<SubSurfaceId>> atLoop;       // per loop of the arrangement; ascending

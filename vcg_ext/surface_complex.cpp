@@ -1,16 +1,18 @@
 // SPDX-FileCopyrightText: 2026 The Index Boolean authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Coincident triangles and coincident edges are both found by grouping them by their smallest
-// vertex: by counting where there are many of them, else by sorting.
+// Coincident triangles and coincident edges are both found by sorting them by their vertices. Most
+// faces of most surfaces have plain vertices only, and take no part in it.
 #include "surface_complex.h"
 
+#include "bucket_sort.h"
 #include "huge_pages.h"
 #include "mesh_checks.h"
 #include "parallel.h"
 #include "self_intersecting.h"
 
 #include <algorithm>
+#include <functional>
 #include <numeric>
 
 namespace index_boolean {
@@ -48,55 +50,6 @@ struct FaceEntry {
 	}
 };
 
-// Sorts n entries, entry(i) each, whose `low` is below vertexCount.
-template <class Entry, class EntryAt>
-Status sortEntries(std::size_t n, EntryAt&& entry, std::size_t vertexCount, int threads,
-                   Monitor& monitor, std::vector<Entry>& out) {
-	constexpr std::size_t kFew = 8;  // entries per vertex, below which counting does not pay
-	resizeHuge(out, n);
-	if (n < vertexCount / kFew) {
-		for (std::size_t i = 0; i < n; ++i) {
-			out[i] = entry(i);
-		}
-		std::sort(out.begin(), out.end());
-		return {};
-	}
-	std::vector<std::uint32_t> next;  // first counts, then ends of groups
-	assignHuge(next, vertexCount + 2, 0U);
-	// Each task looks at all entries and takes those of its own vertices.
-	const std::size_t grain = vertexCount / 2 + 1;
-	const auto forEachEntry = [&](auto&& visit) {
-		return parallelFor(vertexCount, grain, threads, monitor,
-		                   [&](std::size_t begin, std::size_t end) {
-			                   for (std::size_t i = 0; i < n; ++i) {
-				                   if (i % kGrain == 0 && pollCancelled(monitor)) {
-					                   return;
-				                   }
-				                   const Entry e = entry(i);
-				                   if (e.low.value - begin < end - begin) {
-					                   visit(e);
-				                   }
-			                   }
-		                   });
-	};
-	Status status = forEachEntry([&next](const Entry& e) { ++next[e.low.value + 2]; });
-	for (std::size_t v = 0; v <= vertexCount; ++v) {
-		next[v + 1] += next[v];
-	}
-	if (status.ok()) {
-		status = forEachEntry([&](const Entry& e) { out[next[e.low.value + 1]++] = e; });
-	}
-	if (status.ok()) {
-		status = parallelFor(vertexCount, kGrain, threads, monitor,
-		                     [&](std::size_t begin, std::size_t end) {
-			                     for (std::size_t v = begin; v < end; ++v) {
-				                     std::sort(out.begin() + next[v], out.begin() + next[v + 1]);
-			                     }
-		                     });
-	}
-	return status;
-}
-
 // The edges that part the surface in one chunk.
 struct PartingEdges {
 	std::vector<PartingEdge> edges;  // `first` counts from the chunk's half-edges
@@ -116,11 +69,17 @@ private:
 	Status addUncutFaces();
 	void addPieces(ComplexOf part);
 	bool isIrregular(const Triangle& piece) const;
+	bool isOnCurve(const Triangle& piece) const;
 	Status mergeCoincident();
 	Status merge(const FaceEntry* begin, const FaceEntry* end);
+	void findPlainVertices();
+	Status listNearFaces();
 	Status joinFaces();
+	std::vector<EdgeEntry> listEdges() const;
 	void join(const EdgeEntry* begin, const EdgeEntry* end, PartingEdges& parting);
 	void append(const PartingEdges& parting);
+	template <class Entry>
+	Status sortByLow(std::vector<Entry>& entries);
 
 	const Arrangement& arrangement_;
 	const MeshArrays& mesh_;
@@ -176,6 +135,12 @@ bool Builder::isIrregular(const Triangle& piece) const {
 	return (at(irregular, piece[0]) | at(irregular, piece[1]) | at(irregular, piece[2])) != 0;
 }
 
+// Only such a piece can coincide with one of the other operand's.
+bool Builder::isOnCurve(const Triangle& piece) const {
+	return arrangement_.isOnOther(piece[0]) && arrangement_.isOnOther(piece[1]) &&
+	       arrangement_.isOnOther(piece[2]);
+}
+
 void Builder::addPieces(ComplexOf part) {
 	const Refinement& refinement = arrangement_.refinement;
 	for (std::size_t i = 0; i < refinement.cutFaces.size(); ++i) {
@@ -183,11 +148,14 @@ void Builder::addPieces(ComplexOf part) {
 		                            ? refinement.cutFaces[i + 1].firstPiece
 		                            : refinement.pieces.size();
 		for (std::size_t piece = refinement.cutFaces[i].firstPiece; piece < end; ++piece) {
-			if (part == ComplexOf::Everything || isIrregular(refinement.pieces[piece])) {
-				maybeCoincident_.push_back(static_cast<std::uint32_t>(out_.faces.size()));
-				out_.faces.push_back(
-				    refinedFace(refinement.pieces[piece], refinement.cutFaces[i].face));
+			const Triangle& corners = refinement.pieces[piece];
+			if (part == ComplexOf::IrregularPoints && !isIrregular(corners)) {
+				continue;
 			}
+			if (isOnCurve(corners)) {
+				maybeCoincident_.push_back(static_cast<std::uint32_t>(out_.faces.size()));
+			}
+			out_.faces.push_back(refinedFace(corners, refinement.cutFaces[i].face));
 		}
 	}
 }
@@ -195,6 +163,13 @@ void Builder::addPieces(ComplexOf part) {
 bool runAlike(const Triangle& a, const Triangle& b) {
 	const auto first = std::find(b.begin(), b.end(), a[0]);
 	return b[static_cast<std::size_t>(nextCorner(static_cast<int>(first - b.begin())))] == a[1];
+}
+
+template <class Entry>
+Status Builder::sortByLow(std::vector<Entry>& entries) {
+	return bucketSort(
+	    entries, vertexCount_, [](const Entry& e) { return e.low.value; }, std::less<Entry>(),
+	    arrangement_.options.threads, monitor_);
 }
 
 // Makes faces on the same corners, at most one of each operand, one face.
@@ -222,14 +197,13 @@ Status Builder::merge(const FaceEntry* begin, const FaceEntry* end) {
 }
 
 Status Builder::mergeCoincident() {
-	const auto entry = [this](std::size_t i) {
-		Triangle t = out_.faces[maybeCoincident_[i]].corners;
-		std::sort(t.begin(), t.end());
-		return FaceEntry{t[0], t[1], t[2], maybeCoincident_[i]};
-	};
 	std::vector<FaceEntry> entries;
-	Status status = sortEntries(maybeCoincident_.size(), entry, vertexCount_,
-	                            arrangement_.options.threads, monitor_, entries);
+	for (const std::uint32_t face : maybeCoincident_) {
+		Triangle t = out_.faces[face].corners;
+		std::sort(t.begin(), t.end());
+		entries.push_back({t[0], t[1], t[2], face});
+	}
+	Status status = sortByLow(entries);
 	isMerged_.assign(out_.faces.size(), 0);
 	bool anyMerged = false;
 	for (std::size_t i = 0, end = 0; i < entries.size() && status.ok(); i = end) {
@@ -279,20 +253,63 @@ void Builder::append(const PartingEdges& parting) {
 	out_.halfEdges.insert(out_.halfEdges.end(), parting.halfEdges.begin(), parting.halfEdges.end());
 }
 
-Status Builder::joinFaces() {
-	const auto entry = [this](std::size_t i) {
-		const HalfEdgeId h = makeId<HalfEdgeTag>(i);
-		const std::pair<VertexId, VertexId> ends = std::minmax(out_.beginOf(h), out_.endOf(h));
-		return EdgeEntry{ends.first, ends.second, h};
+// Off the other operand, or where all its faces have twins there, a vertex is as the operand has
+// it.
+void Builder::findPlainVertices() {
+	const std::vector<std::uint8_t>& onOther = arrangement_.curve.onOther;
+	assignHuge(out_.plain, mesh_.points.size(), std::uint8_t{0});
+	for (std::uint32_t v = 0; v < out_.plain.size(); ++v) {
+		out_.plain[v] = onOther[v] == 0 || mesh_.isQuiet({v}) ? 1 : 0;
+	}
+	for (const VertexId v : arrangement_.nonManifold) {
+		at(out_.plain, v) = 0;
+	}
+}
+
+Status Builder::listNearFaces() {
+	const std::size_t n = out_.faces.size();
+	std::vector<std::vector<std::uint32_t>> chunks(chunkCount(n, kGrain));
+	const auto list = [&](std::size_t chunk, std::size_t begin, std::size_t end) {
+		for (std::size_t f = begin; f < end; ++f) {
+			const Triangle& t = out_.faces[f].corners;
+			if (!(out_.isPlain(t[0]) && out_.isPlain(t[1]) && out_.isPlain(t[2]))) {
+				chunks[chunk].push_back(static_cast<std::uint32_t>(f));
+			}
+		}
 	};
-	std::vector<EdgeEntry> entries;
-	const std::size_t count = 3 * out_.faces.size();
+	const Status status =
+	    parallelForChunks(n, kGrain, arrangement_.options.threads, monitor_, list);
+	for (const std::vector<std::uint32_t>& chunk : chunks) {
+		out_.nearFaces.insert(out_.nearFaces.end(), chunk.begin(), chunk.end());
+	}
+	return status;
+}
+
+// The edges of the near faces but for those between plain vertices.
+std::vector<EdgeEntry> Builder::listEdges() const {
+	std::vector<EdgeEntry> edges;
+	edges.reserve(3 * out_.nearFaces.size());
+	for (std::uint32_t n = 0; n < out_.nearFaces.size(); ++n) {
+		const Triangle& t = out_.faces[out_.nearFaces[n]].corners;
+		for (std::uint32_t i = 0; i < 3; ++i) {
+			const auto [low, high] = std::minmax(t[i], t[i == 2 ? 0 : i + 1]);
+			if (!out_.isPlain(low) || !out_.isPlain(high)) {
+				edges.push_back({low, high, {3 * n + i}});
+			}
+		}
+	}
+	return edges;
+}
+
+Status Builder::joinFaces() {
+	std::vector<EdgeEntry> entries = listEdges();
+	const std::size_t count = entries.size();
 	const int threads = arrangement_.options.threads;
-	Status status = sortEntries(count, entry, vertexCount_, threads, monitor_, entries);
+	Status status = sortByLow(entries);
 	if (!status.ok()) {
 		return status;
 	}
-	assignHuge(out_.mates, count, HalfEdgeId::none());
+	assignHuge(out_.mates, 3 * out_.nearFaces.size(), HalfEdgeId::none());
 	std::vector<PartingEdges> parts(chunkCount(count, kGrain));
 	// A chunk takes the edges that begin in it.
 	const auto joinChunk = [&](std::size_t chunk, std::size_t begin, std::size_t chunkEnd) {
@@ -319,7 +336,7 @@ Status Builder::joinFaces() {
 Status Builder::run(ComplexOf part) {
 	Status status;
 	if (part == ComplexOf::Everything) {
-		reserveHuge(out_.faces, mesh_.triangles.size() + arrangement_.refinement.pieces.size());
+		out_.faces.reserve(mesh_.triangles.size() + arrangement_.refinement.pieces.size());
 		status = addUncutFaces();
 	}
 	addPieces(part);
@@ -328,6 +345,12 @@ Status Builder::run(ComplexOf part) {
 	}
 	if (status.ok()) {
 		status = mergeCoincident();
+	}
+	if (status.ok() && part == ComplexOf::Everything) {
+		findPlainVertices();
+	}
+	if (status.ok()) {
+		status = listNearFaces();
 	}
 	return status.ok() ? joinFaces() : status;
 }

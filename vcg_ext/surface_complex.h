@@ -28,7 +28,7 @@ struct RefinedFace {
 	}
 };
 
-// Edge i of face f is the half-edge 3 * f + i; it runs from corner i to the next one.
+// Edge i of the near face n is the half-edge 3 * n + i; it runs from corner i to the next one.
 using HalfEdgeId = Id<struct HalfEdgeTag>;
 
 // An edge that parts the surfaces: halfEdges[first .. first + count).
@@ -37,14 +37,20 @@ struct PartingEdge {
 	std::uint32_t first, count;
 };
 
-// Triangles and how they hang together.
+// Triangles and how they hang together. Around a plain vertex all do, in one umbrella that runs one
+// way; only the near faces, those with a corner that is not plain, need be looked at edge by edge.
 struct SurfaceComplex {
-	std::vector<RefinedFace> faces;    // the uncut ones in the order of their sources, then pieces
+	HugeVector<RefinedFace> faces;    // the uncut ones in the order of their sources, then pieces
+	std::vector<std::uint8_t> plain;  // per input vertex; empty: no vertex is plain
+	std::vector<std::uint32_t> nearFaces;  // faces; ascending
 	std::vector<HalfEdgeId> mates;     // per half-edge: the one across, or none() at a parting edge
+	                                   // and between two plain vertices
 	std::vector<PartingEdge> parting;  // sorted by low, then by high
 	std::vector<HalfEdgeId> halfEdges;  // of the parting edges
 
-	const RefinedFace& faceOf(HalfEdgeId h) const { return faces[h.value / 3]; }
+	bool isPlain(VertexId v) const { return v.value < plain.size() && at(plain, v) != 0; }
+	std::uint32_t faceAt(HalfEdgeId h) const { return nearFaces[h.value / 3]; }
+	const RefinedFace& faceOf(HalfEdgeId h) const { return faces[faceAt(h)]; }
 	VertexId beginOf(HalfEdgeId h) const { return faceOf(h).corners[h.value % 3]; }
 	VertexId endOf(HalfEdgeId h) const { return faceOf(h).corners[(h.value + 1) % 3]; }
 	// The parting edge between two vertices, or null.
@@ -56,7 +62,8 @@ struct SurfaceComplex {
 
 // Builds the complex of all triangles, or only of the pieces with a corner at an irregular point of
 // the curve: everything around these points, and whole there.
-// \return Ok, Cancelled, OutOfMemory. Complexity: O(n + p log p) for n triangles, p of them pieces.
+// \pre arrangement.nonManifold is known
+// \return Ok, Cancelled, OutOfMemory. Complexity: O(n) for n triangles.
 enum class ComplexOf : std::uint8_t { Everything, IrregularPoints };
 Status buildComplex(const Arrangement& arrangement, ComplexOf part, Monitor& monitor,
                     SurfaceComplex& out);
