@@ -51,6 +51,14 @@ def compare(before, after, arguments, args):
     return pairs
 
 
+def verdict(pairs, tolerance):
+    """(The median of the pairs' ratios after/before, whether it says: slower.)"""
+    ratios = [after / before for before, after in pairs]
+    ratio = statistics.median(ratios)
+    agree = sum(r > 1 for r in ratios) >= AGREEING * len(ratios)
+    return ratio, agree and ratio > 1 + tolerance
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("before", help="the build to compare with")
@@ -70,10 +78,7 @@ def main():
         if pairs is None:
             print(f"{name:26}{'not run by both':>34}")
             continue
-        ratios = [after / before for before, after in pairs]
-        ratio = statistics.median(ratios)
-        late = sum(r > 1 for r in ratios) >= AGREEING * len(ratios)
-        is_slower = late and ratio > 1 + args.tolerance
+        ratio, is_slower = verdict(pairs, args.tolerance)
         slower |= is_slower
         before, after = (1000 * statistics.median(column) for column in zip(*pairs))
         mark = "  SLOWER" if is_slower else ""
