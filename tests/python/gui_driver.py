@@ -13,7 +13,7 @@ import time
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
-SIZE = (1280, 800)
+SIZE = (1280, 1024)
 TIMEOUT = 60
 
 
