@@ -17,6 +17,22 @@ def plugin():
     indexboolean.load_plugin()
 
 
+@pytest.fixture(scope="session")
+def bystander():
+    """A document that outlives all tests."""
+    meshes = pymeshlab.MeshSet()
+    meshes.create_cube()
+    return meshes
+
+
+@pytest.fixture(autouse=True)
+def _log_of_a_living_document(bystander):
+    """After a refusal pymeshlab writes to the log of the document that was refused, until a call of
+    another one has succeeded: docs/hosts.md. Tests drop theirs."""
+    yield
+    bystander.get_geometric_measures()
+
+
 def box(low, high):
     """A box of 12 triangles, two each side."""
     corners = np.array(list(itertools.product(*zip(low, high))), dtype=np.float64)
