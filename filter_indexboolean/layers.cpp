@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Index Boolean authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Meshes are built in place inside their layers, since a copy costs more than the whole Boolean.
+// New layers are in the document while they are filled, and leave it if that fails.
 #include "layers.h"
 
 #include <algorithm>
@@ -98,9 +98,7 @@ Status readLayers(const std::array<MeshModel*, 2>& layers, Progress& progress, O
 		}
 		return status;
 	} catch (const std::bad_alloc&) {
-		Status status;
-		status.code = StatusCode::OutOfMemory;
-		return status;
+		return statusOf(StatusCode::OutOfMemory);
 	}
 }
 
@@ -129,9 +127,7 @@ Status addLayers(const std::vector<LayerContent>& contents, Progress& progress,
 		}
 		return status;
 	} catch (const std::bad_alloc&) {
-		Status status;
-		status.code = StatusCode::OutOfMemory;
-		return status;
+		return statusOf(StatusCode::OutOfMemory);
 	}
 }
 

@@ -132,12 +132,12 @@ struct SegmentSide {
 
 // Both surfaces refined by the curve.
 struct Refinement {
-	std::vector<CutFace> cutFaces;  // sorted by face
+	HugeVector<CutFace> cutFaces;  // sorted by face
 	Triangles pieces;
-	std::vector<NodeId> pieceRegion;                 // per piece
-	std::vector<SegmentSide> sides;                  // sorted by segment, then by face
-	std::vector<std::array<NodeId, 2>> links;        // nodes that have one label: (region, other)
-	std::vector<std::array<NodeId, 2>> cornerLinks;  // (region, corner on the other operand)
+	HugeVector<NodeId> pieceRegion;                 // per piece
+	HugeVector<SegmentSide> sides;                  // sorted by segment, then by face
+	HugeVector<std::array<NodeId, 2>> links;        // nodes that have one label: (region, other)
+	HugeVector<std::array<NodeId, 2>> cornerLinks;  // (region, corner on the other operand)
 	std::uint32_t nodeCount = 0;
 	std::vector<std::uint8_t> isCut;  // per face: it is one of cutFaces
 };

@@ -309,9 +309,7 @@ Status collectBlock(const Arrangement& arrangement, Operation operation, Monitor
 	out = Block{};
 	out.operation = operation;
 	if (arrangement.labels.vertex.size() != arrangement.mesh.points.size()) {
-		Status status;
-		status.code = StatusCode::InternalError;  // an arrangement that is not for blocks
-		return status;
+		return statusOf(StatusCode::InternalError);  // an arrangement that is not for blocks
 	}
 	return Collector(arrangement, operation, monitor, out).run();
 }

@@ -17,15 +17,17 @@
 namespace index_boolean {
 
 // Sorts items by counting how many there are of each few keys, then each such set on its own.
+// \param items    a vector of them
 // \param keyCount above all keys
 // \param keyOf    of an item, an unsigned number that never falls in the order `before`
 // \param before   a strict order
 // \return Ok or Cancelled; else the items are in no order. Throws std::bad_alloc.
 // Complexity: O(n), in parallel but for moving each item once, as long as no key is very frequent;
 // O(n log n) else.
-template <class Item, class KeyOf, class Before>
-Status bucketSort(std::vector<Item>& items, std::size_t keyCount, KeyOf&& keyOf, Before&& before,
-                  int threads, Monitor& monitor) {
+template <class Array, class KeyOf, class Before>
+Status bucketSort(Array& items, std::size_t keyCount, KeyOf&& keyOf, Before&& before, int threads,
+                  Monitor& monitor) {
+	using Item = typename Array::value_type;
 	constexpr std::size_t kFew = 4096, kItemsPerBucket = 4, kGrain = 4096;
 	if (items.size() < kFew) {
 		std::sort(items.begin(), items.end(), before);
@@ -42,7 +44,7 @@ Status bucketSort(std::vector<Item>& items, std::size_t keyCount, KeyOf&& keyOf,
 		++ends[bucketOf(item) + 1];
 	for (std::size_t bucket = 1; bucket < ends.size(); ++bucket)
 		ends[bucket] += ends[bucket - 1];
-	std::vector<Item> sorted(items.size());
+	Array sorted(items.size());
 	for (const Item& item : items)
 		sorted[ends[bucketOf(item)]++] = item;
 	items.swap(sorted);

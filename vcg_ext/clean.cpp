@@ -26,12 +26,6 @@ constexpr std::size_t kPollFaces = 4096;  // faces treated between two looks at 
 constexpr std::size_t kMaxFaces = std::numeric_limits<std::int32_t>::max();
 constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
 
-Status statusOf(StatusCode code) {
-	Status status;
-	status.code = code;
-	return status;
-}
-
 std::uint32_t index32(std::size_t i) { return static_cast<std::uint32_t>(i); }
 
 // A class of the numbers below n, named by one of its members: its label.

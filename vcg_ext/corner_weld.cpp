@@ -101,7 +101,7 @@ public:
 		std::size_t size = 16;
 		while (size < 2 * most)
 			size *= 2;
-		assignHuge(slots_, size, kEmpty);
+		slots_.assign(size, kEmpty);
 	}
 
 	// The vertex at this one's place; if there is none yet, this one, which is put there.
@@ -124,7 +124,7 @@ private:
 	}
 
 	const Points& points_;
-	std::vector<std::uint32_t> slots_;
+	HugeVector<std::uint32_t> slots_;
 };
 
 // Calls body(operand, begin, end) for chunks of both operands' vertices.

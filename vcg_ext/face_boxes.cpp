@@ -154,17 +154,17 @@ public:
 
 	// Lists the boxes for which keep(box) answers true.
 	template <class Keep>
-	Status collectBoxes(std::size_t operand, Keep keep, std::vector<FaceBox>& out) const {
-		std::vector<std::vector<FaceBox>> parts(chunkCount(faceCount(operand), kGrain));
+	Status collectBoxes(std::size_t operand, Keep keep, HugeVector<FaceBox>& out) const {
+		std::vector<HugeVector<FaceBox>> parts(chunkCount(faceCount(operand), kGrain));
 		const Status status = forEachBox(operand, [&](std::size_t chunk, const FaceBox& box) {
 			if (keep(box))
 				parts[chunk].push_back(box);
 		});
 		std::size_t count = 0;
-		for (const std::vector<FaceBox>& part : parts)
+		for (const HugeVector<FaceBox>& part : parts)
 			count += part.size();
-		reserveHuge(out, count);
-		for (const std::vector<FaceBox>& part : parts)
+		out.reserve(count);
+		for (const HugeVector<FaceBox>& part : parts)
 			out.insert(out.end(), part.begin(), part.end());
 		return status;
 	}

@@ -21,14 +21,15 @@ struct FaceBox {
 
 // The boxes of each operand in the order of the faces, in a cube from -halfSize to halfSize.
 struct FaceBoxes {
-	std::array<std::vector<FaceBox>, 2> operand;
+	std::array<HugeVector<FaceBox>, 2> operand;
 	float halfSize = 1;  // a power of two
 };
 
 // Lists the faces, but for quiet ones, that reach both operands' boxes and, in a coarse grid, a
-// cell of the other operand. \param mesh both operands; every face's coordinates are finite \param
-// out  both lists empty if the operands' boxes are apart \return Ok, Cancelled or OutOfMemory.
-// Complexity: O(n), in parallel.
+// cell of the other operand.
+// \param mesh both operands; every face's coordinates are finite
+// \param out  both lists empty if the operands' boxes are apart
+// \return Ok, Cancelled or OutOfMemory. Complexity: O(n), in parallel.
 Status collectFaceBoxes(const MeshArrays& mesh, int threads, Monitor& monitor, FaceBoxes& out);
 
 }  // namespace index_boolean

@@ -39,18 +39,4 @@ std::unique_ptr<T[]> makeHuge(std::size_t n) {
 	return array;
 }
 
-// As reserveHuge, then makes the array as long.
-template <class T, class Allocator>
-void resizeHuge(std::vector<T, Allocator>& array, std::size_t n) {
-	reserveHuge(array, n);
-	array.resize(n);
-}
-
-// As reserveHuge, then gives the array n times the value.
-template <class T, class Allocator>
-void assignHuge(std::vector<T, Allocator>& array, std::size_t n, const T& value) {
-	reserveHuge(array, n);
-	array.assign(n, value);
-}
-
 }  // namespace index_boolean

@@ -419,7 +419,7 @@ Status Labeller::labelBesides(std::size_t first, std::size_t last) {
 }
 
 Status Labeller::labelBySegments() {
-	const std::vector<SegmentSide>& sides = refinement_.sides;
+	const HugeVector<SegmentSide>& sides = refinement_.sides;
 	for (std::size_t first = 0; first < sides.size();) {
 		std::size_t last = first + 1;
 		while (last < sides.size() && sides[last].segment == sides[first].segment) {
@@ -502,7 +502,7 @@ Status Labeller::labelByRays() {
 
 Status Labeller::fill() {
 	Labels& labels = arrangement_.labels;
-	const std::vector<NodeId>& regions = refinement_.pieceRegion;
+	const HugeVector<NodeId>& regions = refinement_.pieceRegion;
 	Status status;
 	labels.piece.resize(regions.size());
 	for (std::size_t piece = 0; piece < regions.size(); ++piece) {

@@ -59,9 +59,7 @@ Status joinSurfaces(const std::array<SurfaceView, 2>& surfaces, int threads, Mon
 	}
 	return status;
 } catch (const std::bad_alloc&) {
-	Status status;
-	status.code = StatusCode::OutOfMemory;
-	return status;
+	return statusOf(StatusCode::OutOfMemory);
 }
 
 }  // namespace index_boolean

@@ -95,8 +95,6 @@ inline void growArrays(std::size_t vertexCount, std::size_t faceCount, int opera
 	const auto first = static_cast<std::size_t>(operand);
 	out.vertexBegin[first] = static_cast<std::uint32_t>(out.points.size());
 	out.faceBegin[first] = static_cast<std::uint32_t>(out.triangles.size());
-	reserveHuge(out.points, out.points.size() + vertexCount);
-	reserveHuge(out.triangles, out.triangles.size() + faceCount);
 	out.points.resize(out.points.size() + vertexCount);
 	out.triangles.resize(out.triangles.size() + faceCount);
 	if (!out.faux.empty())
@@ -266,7 +264,8 @@ template <class TriMesh>
 Status SurfaceWriter<TriMesh>::begin(Monitor& monitor) {
 	reserveHuge(out_.vert, points_.size());
 	reserveHuge(out_.face, triangles_.size());
-	out_.vert.reserve(points_.size());
+	out_.vert.reserve(
+	    points_.size());  // for the optional components too, which the line above misses
 	out_.face.reserve(triangles_.size());
 	out_.bbox.SetNull();
 	if (points_.empty())
@@ -283,7 +282,7 @@ Status SurfaceWriter<TriMesh>::begin(Monitor& monitor) {
 
 template <class TriMesh>
 Status SurfaceWriter<TriMesh>::findVertexNormals(Monitor& monitor) {
-	assignHuge(normalSums_, points_.size(), Point{0, 0, 0});
+	normalSums_.assign(points_.size(), Point{0, 0, 0});
 	const auto sum = [&](std::size_t begin, std::size_t end) {
 		for (std::size_t i = begin; i < end; ++i) {
 			const Point normal = scaledNormal(points_, triangles_[i], scale_);

@@ -17,14 +17,14 @@ struct OppositeEdge {
 
 // The opposite edges at each vertex of a range, in one array.
 struct Links {
-	std::vector<std::uint32_t> first;  // per vertex, and the end
+	HugeVector<std::uint32_t> first;  // per vertex, and the end
 	std::unique_ptr<OppositeEdge[]> edges;
 };
 
 Links collectLinks(const Triangle* begin, const Triangle* end, VertexRange range) {
 	const std::uint32_t count = range.end - range.begin;
 	Links links;
-	assignHuge(links.first, count + std::size_t{1}, 0u);
+	links.first.assign(count + std::size_t{1}, 0u);
 	for (const Triangle* t = begin; t != end; ++t) {
 		for (const VertexId v : *t) {
 			if (v.value - range.begin < count) {  // false below the range: it wraps

@@ -267,7 +267,7 @@ private:
 	Split split_;
 	std::array<BoxBuffer, 21> buffers_;           // one per depth
 	std::array<std::vector<Node>, 21> children_;  // one per depth
-	std::array<std::vector<FaceBox>, 2> sorted_;
+	std::array<HugeVector<FaceBox>, 2> sorted_;
 	std::size_t tested_ = 0;
 };
 
@@ -393,7 +393,7 @@ void Descent<Visit>::sweep(const Node& node) {
 	}
 }
 
-Node makeRoot(const std::vector<FaceBox>& a, const std::vector<FaceBox>& b, float halfSize) {
+Node makeRoot(const HugeVector<FaceBox>& a, const HugeVector<FaceBox>& b, float halfSize) {
 	Node root{};
 	root.low.fill(-std::numeric_limits<float>::infinity());
 	root.half = halfSize;
@@ -559,13 +559,11 @@ Status findPairs(const MeshArrays& mesh, const Options& options, Monitor& monito
 	try {
 		return findPairsUnguarded(mesh, options, monitor, out);
 	} catch (const std::bad_alloc&) {
-		Status status;
-		status.code = StatusCode::OutOfMemory;
-		return status;
+		return statusOf(StatusCode::OutOfMemory);
 	}
 }
 
-Status visitPairsWithin(const std::vector<FaceBox>& boxes, float halfSize, const Options& options,
+Status visitPairsWithin(const HugeVector<FaceBox>& boxes, float halfSize, const Options& options,
                         Monitor& monitor, const PairVisitor& visit) {
 	const FpEnvironmentGuard environment;
 	const auto visitOnce = [&visit](FacePair pair) {
@@ -580,9 +578,7 @@ Status visitPairsWithin(const std::vector<FaceBox>& boxes, float halfSize, const
 		                             [&visitOnce](std::size_t) { return visitOnce; })
 		                   : status;
 	} catch (const std::bad_alloc&) {
-		Status status;
-		status.code = StatusCode::OutOfMemory;
-		return status;
+		return statusOf(StatusCode::OutOfMemory);
 	}
 }
 

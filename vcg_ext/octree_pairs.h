@@ -49,7 +49,7 @@ using PairVisitor = std::function<void(FacePair)>;
 // \param options  octree limits and threads
 // \return Ok, Cancelled, OutOfMemory or InternalError. Unless Ok, pairs may not have been visited.
 // Complexity: O(n log n + p) for n faces and p pairs, in O(n) memory.
-Status visitPairsWithin(const std::vector<FaceBox>& boxes, float halfSize, const Options& options,
+Status visitPairsWithin(const HugeVector<FaceBox>& boxes, float halfSize, const Options& options,
                         Monitor& monitor, const PairVisitor& visit);
 
 }  // namespace index_boolean

@@ -7,7 +7,6 @@
 
 #include "bucket_sort.h"
 #include "exact_sign.h"
-#include "huge_pages.h"
 #include "parallel.h"
 #include "planar_sweep.h"
 #include "self_intersecting.h"
@@ -505,12 +504,12 @@ Status concatenate(const std::vector<ChunkPieces>& chunks, const Arrangement& ar
 	const ChunkBegin& all = begins.back();
 	out.nodeCount = all.node;
 	out.isCut.assign(arrangement.mesh.triangles.size(), 0);
-	resizeHuge(out.cutFaces, all.cutFaces);
-	resizeHuge(out.pieces, all.pieces);
-	resizeHuge(out.pieceRegion, all.pieces);
-	resizeHuge(out.sides, all.sides);
-	resizeHuge(out.links, all.links);
-	resizeHuge(out.cornerLinks, all.cornerLinks);
+	out.cutFaces.resize(all.cutFaces);
+	out.pieces.resize(all.pieces);
+	out.pieceRegion.resize(all.pieces);
+	out.sides.resize(all.sides);
+	out.links.resize(all.links);
+	out.cornerLinks.resize(all.cornerLinks);
 	const int threads = arrangement.options.threads;
 	Status status =
 	    parallelFor(chunks.size(), 8, threads, monitor, [&](std::size_t begin, std::size_t end) {

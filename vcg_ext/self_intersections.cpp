@@ -81,7 +81,7 @@ private:
 	std::size_t operand_;
 	std::uint32_t first_, count_;
 	Monitor& monitor_;
-	std::vector<FaceBox> boxes_;
+	HugeVector<FaceBox> boxes_;
 	float halfSize_ = 1;
 	std::vector<std::atomic<bool>> isConcerned_;  // per face
 	AtomicMinimum firstPair_;                     // of those that meet wrongly: a, then b

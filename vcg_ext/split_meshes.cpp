@@ -6,7 +6,6 @@
 #include "split_meshes.h"
 
 #include "clean.h"
-#include "huge_pages.h"
 #include "parallel.h"
 #include "polygons.h"
 #include "weld.h"
@@ -35,7 +34,7 @@ public:
 	      out_(out) {}
 
 	// Makes room for faces to be chosen.
-	void expect(std::size_t faceCount) { reserveHuge(chosen_, faceCount); }
+	void expect(std::size_t faceCount) { chosen_.reserve(faceCount); }
 	void choose(const ChosenFace& face) { chosen_.push_back(face); }
 	// Makes the mesh of the chosen faces.
 	Status run();
@@ -53,8 +52,8 @@ private:
 	const SubBlocks& blocks_;
 	Monitor& monitor_;
 	SplitMesh& out_;
-	std::vector<ChosenFace> chosen_;
-	std::vector<std::uint32_t> numbers_;  // per vertex, kUnused without; empty: look it up
+	HugeVector<ChosenFace> chosen_;
+	HugeVector<std::uint32_t> numbers_;  // per vertex, kUnused without; empty: look it up
 };
 
 std::array<std::int32_t, 2> Collector::besideOf(const ChosenFace& face) const {
@@ -79,14 +78,13 @@ void Collector::listVertices() {
 		used.erase(std::unique(used.begin(), used.end()), used.end());
 		return;
 	}
-	assignHuge(numbers_, arrangement_.mesh.points.size() + arrangement_.curve.pointCount(),
-	           kUnused);
+	numbers_.assign(arrangement_.mesh.points.size() + arrangement_.curve.pointCount(), kUnused);
 	for (const ChosenFace& face : chosen_) {
 		for (const VertexId v : faces[face.face].corners) {
 			at(numbers_, v) = 0;
 		}
 	}
-	reserveHuge(used, numbers_.size());
+	used.reserve(numbers_.size());
 	for (std::uint32_t v = 0; v < numbers_.size(); ++v) {
 		if (numbers_[v] != kUnused) {
 			numbers_[v] = static_cast<std::uint32_t>(used.size());
@@ -106,7 +104,7 @@ std::uint32_t Collector::numberOf(VertexId v) const {
 Status Collector::placeVertices() {
 	listVertices();
 	const HugeVector<VertexId>& used = out_.vertexSource;
-	resizeHuge(out_.points, used.size());
+	out_.points.resize(used.size());
 	return parallelFor(used.size(), kGrain, arrangement_.options.threads, monitor_,
 	                   [&](std::size_t begin, std::size_t end) {
 		                   for (std::size_t v = begin; v < end; ++v) {
@@ -144,10 +142,10 @@ Status Collector::markPolygons() {
 Status Collector::run() {
 	Status status = placeVertices();
 	const std::size_t n = chosen_.size();
-	resizeHuge(out_.triangles, n);
-	resizeHuge(out_.faceSource, n);
-	resizeHuge(out_.subSurface, n);
-	resizeHuge(out_.beside, n);
+	out_.triangles.resize(n);
+	out_.faceSource.resize(n);
+	out_.subSurface.resize(n);
+	out_.beside.resize(n);
 	const auto write = [&](std::size_t begin, std::size_t end) {
 		for (std::size_t i = begin; i < end; ++i) {
 			const ChosenFace& face = chosen_[i];

@@ -13,8 +13,8 @@ namespace index_boolean {
 
 // subSurface and beside are parallel to the triangles.
 struct SplitMesh : SourcedMesh {
-	std::vector<SubSurfaceId> subSurface;
-	std::vector<std::array<std::int32_t, 2>> beside;  // blocks in front of the face and behind it
+	HugeVector<SubSurfaceId> subSurface;
+	HugeVector<std::array<std::int32_t, 2>> beside;  // blocks in front of the face and behind it
 };
 
 // The mesh of all sub-surfaces of one operand: that operand with its cuts, turned as it was given.

@@ -43,6 +43,13 @@ struct Status {
 	bool ok() const { return code == StatusCode::Ok; }
 };
 
+// A status that has no more to say than its code.
+inline Status statusOf(StatusCode code) {
+	Status status;
+	status.code = code;
+	return status;
+}
+
 // A short name such as "not closed"; never null.
 const char* statusName(StatusCode code);
 

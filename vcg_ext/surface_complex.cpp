@@ -6,7 +6,6 @@
 #include "surface_complex.h"
 
 #include "bucket_sort.h"
-#include "huge_pages.h"
 #include "mesh_checks.h"
 #include "parallel.h"
 #include "self_intersecting.h"
@@ -257,7 +256,7 @@ void Builder::append(const PartingEdges& parting) {
 // it.
 void Builder::findPlainVertices() {
 	const std::vector<std::uint8_t>& onOther = arrangement_.curve.onOther;
-	assignHuge(out_.plain, mesh_.points.size(), std::uint8_t{0});
+	out_.plain.assign(mesh_.points.size(), std::uint8_t{0});
 	for (std::uint32_t v = 0; v < out_.plain.size(); ++v) {
 		out_.plain[v] = onOther[v] == 0 || mesh_.isQuiet({v}) ? 1 : 0;
 	}
@@ -309,7 +308,7 @@ Status Builder::joinFaces() {
 	if (!status.ok()) {
 		return status;
 	}
-	assignHuge(out_.mates, 3 * out_.nearFaces.size(), HalfEdgeId::none());
+	out_.mates.assign(3 * out_.nearFaces.size(), HalfEdgeId::none());
 	std::vector<PartingEdges> parts(chunkCount(count, kGrain));
 	// A chunk takes the edges that begin in it.
 	const auto joinChunk = [&](std::size_t chunk, std::size_t begin, std::size_t chunkEnd) {

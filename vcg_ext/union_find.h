@@ -5,7 +5,7 @@
 // roots do not depend on the order of the unions.
 #pragma once
 
-#include "huge_pages.h"
+#include "huge_vector.h"
 
 #include <array>
 #include <cstdint>
@@ -17,8 +17,7 @@ namespace index_boolean {
 
 class UnionFind {
 public:
-	explicit UnionFind(std::size_t n) {
-		resizeHuge(parent_, n);
+	explicit UnionFind(std::size_t n) : parent_(n) {
 		std::iota(parent_.begin(), parent_.end(), 0u);
 	}
 
@@ -69,7 +68,7 @@ public:
 	std::size_t size() const { return parent_.size(); }
 
 private:
-	std::vector<std::uint32_t> parent_;
+	HugeVector<std::uint32_t> parent_;
 };
 
 }  // namespace index_boolean

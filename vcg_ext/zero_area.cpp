@@ -51,9 +51,7 @@ Status gatherZeroArea(std::size_t count, int threads, Monitor& monitor, const Fa
 		out.insert(out.end(), faces.begin(), faces.end());
 	return status;
 } catch (const std::bad_alloc&) {
-	Status status;
-	status.code = StatusCode::OutOfMemory;
-	return status;
+	return statusOf(StatusCode::OutOfMemory);
 }
 
 auto cornersIn(const Points& points, const IndexTriangles& triangles) {

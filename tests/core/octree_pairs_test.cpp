@@ -363,7 +363,7 @@ TEST(OctreePairs, pairsOfOneSurfaceAgreeWithBruteForce) {
 				x = static_cast<double>(static_cast<float>(x));
 		}
 		const std::vector<Box> boxes = faceBoxes(shapes::arrays(soup, {}));
-		std::vector<FaceBox> rounded(boxes.size());
+		HugeVector<FaceBox> rounded(boxes.size());
 		Pairs expected;
 		for (std::uint32_t a = 0; a < boxes.size(); ++a) {
 			for (std::size_t axis = 0; axis < 3; ++axis) {
