@@ -190,12 +190,12 @@ double roundedQuotient(const Dyadic& numerator, const Dyadic& denominator) {
 }
 
 bool certainSum(double base, BoundedPair offset, double& rounded) {
-	double error;
+	double error, lost, low;
 	const double sum = twoSum(base, offset.high, error);
-	double low;
-	const double high = twoSum(sum, error, low);
-	// true = high + low + offset.low +- bound; certain if both ends round to the same double.
-	const double slack = (offset.bound + std::fabs(offset.low)) * (1 + 8 * kRoundoff) +
+	const double rest = twoSum(error, offset.low, lost);
+	const double high = twoSum(sum, rest, low);
+	// true = high + low + lost +- bound; certain if both ends round to the same double.
+	const double slack = (offset.bound + std::fabs(lost)) * (1 + 8 * kRoundoff) +
 	                     std::fabs(low) * 4 * kRoundoff + kUnderflow;
 	const double upper = high + (low + slack);
 	const double lower = high + (low - slack);
