@@ -63,6 +63,11 @@ BoundedPair operator-(BoundedPair a, BoundedPair b) {
 }
 
 BoundedPair operator*(BoundedPair a, BoundedPair b) {
+	if (a.isDouble() && b.isDouble()) {
+		double error;
+		const double product = twoProduct(a.high, b.high, error);
+		return {product, error, underflowOf(a.high, b.high)};
+	}
 	if (a.isZero() || b.isZero()) {
 		return BoundedPair(0);
 	}
@@ -104,45 +109,29 @@ BoundedPair operator/(BoundedPair a, BoundedPair b) {
 Dyadic::Dyadic(double exact) : exponent_(0) {
 	int exponent = 0;
 	const double fraction = std::frexp(exact, &exponent);
-	auto bits = static_cast<std::int64_t>(std::ldexp(fraction, 53));
-	exponent_ = exponent - 53;
-	while (bits != 0 && bits % 2 == 0) {
-		bits /= 2;
-		++exponent_;
+	const auto bits = static_cast<std::int64_t>(std::ldexp(fraction, 53));
+	if (bits != 0) {
+		const std::int64_t lowestBit = bits & -bits;
+		mantissa_ = bits / lowestBit;
+		exponent_ = exponent - 53 + std::ilogb(static_cast<double>(lowestBit));
 	}
-	mantissa_ = bits;
 }
-
-namespace {
-
-template <class Combine>
-Dyadic aligned(const Dyadic& a, const Dyadic& b, Combine&& combine) {
-	if (a.exponent() <= b.exponent()) {
-		const auto shift = static_cast<unsigned>(b.exponent() - a.exponent());
-		return {combine(a.mantissa(), Dyadic::Integer(b.mantissa() << shift)), a.exponent()};
-	}
-	const auto shift = static_cast<unsigned>(a.exponent() - b.exponent());
-	return {combine(Dyadic::Integer(a.mantissa() << shift), b.mantissa()), b.exponent()};
-}
-
-}  // namespace
 
 Dyadic operator+(const Dyadic& a, const Dyadic& b) {
 	if (a.sign() == 0 || b.sign() == 0) {
 		return a.sign() == 0 ? b : a;
 	}
-	return aligned(a, b, [](const Dyadic::Integer& x, const Dyadic::Integer& y) {
-		return Dyadic::Integer(x + y);
-	});
+	const bool aIsFiner = a.exponent() <= b.exponent();
+	const Dyadic& fine = aIsFiner ? a : b;
+	const Dyadic& coarse = aIsFiner ? b : a;
+	Dyadic::Integer sum = coarse.mantissa();
+	sum <<= static_cast<unsigned>(coarse.exponent() - fine.exponent());
+	sum += fine.mantissa();
+	return {std::move(sum), fine.exponent()};
 }
 
 Dyadic operator-(const Dyadic& a, const Dyadic& b) {
-	if (b.sign() == 0) {
-		return a;
-	}
-	return aligned(a, b, [](const Dyadic::Integer& x, const Dyadic::Integer& y) {
-		return Dyadic::Integer(x - y);
-	});
+	return a + Dyadic(-b.mantissa(), b.exponent());
 }
 
 Dyadic operator*(const Dyadic& a, const Dyadic& b) {

@@ -85,6 +85,8 @@ struct BoundedPair {
 	BoundedPair(double h, double l, double b) : high(h), low(l), bound(b) {}
 
 	bool isZero() const { return high == 0 && low == 0 && bound == 0; }
+	// Whether the number is just `high`, exactly; most differences of neighbours' coordinates are.
+	bool isDouble() const { return low == 0 && bound == 0; }
 	int sign() const;
 
 	// a - b, which is exact.

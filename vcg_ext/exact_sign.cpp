@@ -62,11 +62,26 @@ struct Quotient {
 	N denominator;
 };
 
-// Point on the line p q where it is cut at the fraction top / bottom.
+// A point on a line as from + direction * (top / bottom).
 template <class N>
-Quotient<N> onLine(const Point& p, const Point& q, const N& top, const N& bottom) {
-	const Vector<N> d = difference<N>(q, p);
-	return {&p, {d[0] * top, d[1] * top, d[2] * top}, bottom};
+struct LineCut {
+	const Point* from;
+	Vector<N> direction;
+	N top, bottom;
+};
+
+// \pre a point of form LinePlane or LineLine
+template <class N>
+LineCut<N> lineCut(const ExactPoint& p) {
+	const auto& by = p.by;
+	if (p.form == ExactPoint::Form::LineLine) {
+		const N first = orient2dValue<N>(*by[2], *by[3], *by[0], p.axis);
+		const N second = orient2dValue<N>(*by[2], *by[3], *by[1], p.axis);
+		return {by[0], difference<N>(*by[1], *by[0]), first, first - second};
+	}
+	const Vector<N> normal = cross(difference<N>(*by[3], *by[2]), difference<N>(*by[4], *by[2]));
+	return {by[0], difference<N>(*by[1], *by[0]), dot(normal, difference<N>(*by[0], *by[2])),
+	        dot(normal, difference<N>(*by[0], *by[1]))};
 }
 
 template <class N>
@@ -91,25 +106,39 @@ Quotient<N> meetOfThreePlanes(const std::array<const Point*, 9>& by) {
 
 template <class N>
 Quotient<N> quotient(const ExactPoint& p) {
-	const auto& by = p.by;
 	switch (p.form) {
 	case ExactPoint::Form::Explicit:
 		break;
-	case ExactPoint::Form::LinePlane: {
-		const Vector<N> normal =
-		    cross(difference<N>(*by[3], *by[2]), difference<N>(*by[4], *by[2]));
-		const N first = dot(normal, difference<N>(*by[0], *by[2]));
-		return onLine<N>(*by[0], *by[1], first, dot(normal, difference<N>(*by[0], *by[1])));
-	}
+	case ExactPoint::Form::LinePlane:
 	case ExactPoint::Form::LineLine: {
-		const N first = orient2dValue<N>(*by[2], *by[3], *by[0], p.axis);
-		const N second = orient2dValue<N>(*by[2], *by[3], *by[1], p.axis);
-		return onLine<N>(*by[0], *by[1], first, first - second);
+		const LineCut<N> cut = lineCut<N>(p);
+		const Vector<N>& d = cut.direction;
+		return {cut.from, {d[0] * cut.top, d[1] * cut.top, d[2] * cut.top}, cut.bottom};
 	}
 	case ExactPoint::Form::ThreePlanes:
-		return meetOfThreePlanes<N>(by);
+		return meetOfThreePlanes<N>(p.by);
 	}
-	return {by[0], {N(0), N(0), N(0)}, N(1)};
+	return {p.by[0], {N(0), N(0), N(0)}, N(1)};
+}
+
+// A point as base + offset. \pre not of form Explicit
+struct Offset {
+	const Point* base;
+	Vector<BoundedPair> offset;
+};
+
+// One division serves all coordinates of a point on a line.
+Offset offsetOf(const ExactPoint& p) {
+	if (p.form == ExactPoint::Form::ThreePlanes) {
+		const Quotient<BoundedPair> q = meetOfThreePlanes<BoundedPair>(p.by);
+		return {q.base,
+		        {q.numerator[0] / q.denominator, q.numerator[1] / q.denominator,
+		         q.numerator[2] / q.denominator}};
+	}
+	const LineCut<BoundedPair> cut = lineCut<BoundedPair>(p);
+	const BoundedPair fraction = cut.top / cut.bottom;
+	const Vector<BoundedPair>& d = cut.direction;
+	return {cut.from, {d[0] * fraction, d[1] * fraction, d[2] * fraction}};
 }
 
 // Homogeneous coordinates of a point in the projection along an axis, relative to an origin.
@@ -261,8 +290,19 @@ int orientationByEnds(const ExactPoint& a, const ExactPoint& b, const ExactPoint
 	return first != 0 ? first : second;
 }
 
+// Whether three points are known to have one coordinate in common.
+bool areLevel(const ExactPoint& a, const ExactPoint& b, const ExactPoint& c, int axis) {
+	const auto k = static_cast<std::size_t>(axis);
+	const Point* p = cornerLevelWith(a, k);
+	const Point* q = p != nullptr ? cornerLevelWith(b, k) : nullptr;
+	const Point* r = q != nullptr && (*p)[k] == (*q)[k] ? cornerLevelWith(c, k) : nullptr;
+	return r != nullptr && (*q)[k] == (*r)[k];
+}
+
 // The orientation as far as coordinates that are known exactly tell it, else kUnknownSign.
 int orientationOfKnown(const ExactPoint& a, const ExactPoint& b, const ExactPoint& c, int axis) {
+	if (areLevel(a, b, c, nextCorner(axis)) || areLevel(a, b, c, previousCorner(axis)))
+		return 0;
 	const bool knowsA = isKnown(a, axis), knowsB = isKnown(b, axis), knowsC = isKnown(c, axis);
 	if (knowsA && knowsB && knowsC)
 		return orient2d(a.rounded, b.rounded, c.rounded, axis);
@@ -412,13 +452,10 @@ void roundPoint(ExactPoint& p) {
 		countSign(Predicate::Rounding, DecidedBy::Double);
 		return;
 	}
-	const Quotient<BoundedPair> approximate = quotient<BoundedPair>(p);
+	const Offset approximate = offsetOf(p);
 	const Point& base = *approximate.base;
 	for (std::size_t k = 0; k < 3; ++k) {
-		if (certain[k])
-			continue;
-		const BoundedPair offset = approximate.numerator[k] / approximate.denominator;
-		certain[k] = certainSum(base[k], offset, p.rounded[k]);
+		certain[k] = certain[k] || certainSum(base[k], approximate.offset[k], p.rounded[k]);
 	}
 	const bool allCertain = certain[0] && certain[1] && certain[2];
 	countSign(Predicate::Rounding, allCertain ? DecidedBy::DoubleDouble : DecidedBy::Integers);

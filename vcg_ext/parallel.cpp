@@ -17,6 +17,9 @@ namespace index_boolean {
 
 namespace {
 
+// Whether this thread has a guard of its floating-point environment already.
+thread_local bool guarded = false;
+
 int maxThreads() {
 #ifdef _OPENMP
 	return omp_get_max_threads();
@@ -84,12 +87,20 @@ void workTogether(Run& run, int) { work(run); }
 
 }  // namespace
 
-FpEnvironmentGuard::FpEnvironmentGuard() {
-	std::fegetenv(&saved_);
-	std::fesetenv(FE_DFL_ENV);
+FpEnvironmentGuard::FpEnvironmentGuard() : isOutermost_(!guarded) {
+	if (isOutermost_) {
+		std::fegetenv(&saved_);
+		std::fesetenv(FE_DFL_ENV);
+		guarded = true;
+	}
 }
 
-FpEnvironmentGuard::~FpEnvironmentGuard() { std::fesetenv(&saved_); }
+FpEnvironmentGuard::~FpEnvironmentGuard() {
+	if (isOutermost_) {
+		std::fesetenv(&saved_);
+		guarded = false;
+	}
+}
 
 bool pollCancelled(Monitor& monitor) {
 	if (isCallingThread())

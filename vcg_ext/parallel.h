@@ -19,6 +19,7 @@
 namespace index_boolean {
 
 // Sets this thread's floating-point environment to the default while it lives, then restores it.
+// Within another guard of the thread it does nothing: setting costs as much as a small stage.
 class FpEnvironmentGuard {
 public:
 	FpEnvironmentGuard();
@@ -27,6 +28,7 @@ public:
 	FpEnvironmentGuard& operator=(const FpEnvironmentGuard&) = delete;
 
 private:
+	bool isOutermost_;
 	std::fenv_t saved_;  // all of it: rounding, masks, flags, and on x86 and ARM flush to zero
 };
 

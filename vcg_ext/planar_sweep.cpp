@@ -36,18 +36,22 @@ struct ActiveEdge : boost::intrusive::set_base_hook<> {
 
 using ActiveEdges = boost::intrusive::set<ActiveEdge>;
 
-class Sweep {
-public:
-	Sweep(std::uint32_t pointCount, const std::vector<PlanarEdge>& edges,
-	      const PlanarOrientation& orientation, std::vector<std::array<std::uint32_t, 3>>& out);
-	~Sweep() { status_.clear(); }
+}  // namespace
 
-	bool run();
+// What the sweep line knows.
+class PlanarSweep::Line {
+public:
+	~Line() { active_.clear(); }
+
+	bool run(std::uint32_t pointCount, const std::vector<PlanarEdge>& edges,
+	         const PlanarOrientation& orientation,
+	         std::vector<std::array<std::uint32_t, 3>>& triangles);
 
 private:
+	void start(std::uint32_t pointCount, const std::vector<PlanarEdge>& edges);
 	void sortOutgoing(std::uint32_t point);
 	bool visit(std::uint32_t point);
-	bool findInterval(std::uint32_t point, ActiveEdges::iterator& upper) const;
+	bool findInterval(std::uint32_t point, ActiveEdges::iterator& upper);
 	bool closeIncoming(std::uint32_t point, ActiveEdges::iterator& it, Chain& upperChain,
 	                   bool& hasUpper);
 	Chain splitAtLast(Chain& chain);
@@ -57,29 +61,54 @@ private:
 	std::uint32_t newLink(std::uint32_t point, std::uint32_t below, std::uint32_t above);
 	bool emitFan(std::uint32_t point, const Chain& chain);
 	std::uint32_t pointOf(std::uint32_t link) const { return links_[link].point; }
+	int orientation(std::uint32_t a, std::uint32_t b, std::uint32_t c) const {
+		return (*orientation_)(a, b, c);
+	}
+	void emit(std::uint32_t a, std::uint32_t b, std::uint32_t c) {
+		triangles_->push_back({a, b, c});
+	}
 
-	const PlanarOrientation& orientation_;
-	std::vector<std::array<std::uint32_t, 3>>& triangles_;
+	const PlanarOrientation* orientation_ = nullptr;
+	std::vector<std::array<std::uint32_t, 3>>* triangles_ = nullptr;
 	std::vector<ActiveEdge> edges_;             // sorted by left end, then upwards
 	std::vector<std::uint32_t> firstOutgoing_;  // per point, into edges_; one past the end last
 	std::vector<std::uint32_t> anyIncoming_;    // per point, an edge that ends there, or kNone
+	std::vector<PlanarEdge> outgoing_;          // of one point, while they are sorted
 	std::vector<Link> links_;
-	ActiveEdges status_;  // upwards
+	ActiveEdges active_;  // upwards
 };
 
-Sweep::Sweep(std::uint32_t pointCount, const std::vector<PlanarEdge>& edges,
-             const PlanarOrientation& orientation, std::vector<std::array<std::uint32_t, 3>>& out)
-    : orientation_(orientation), triangles_(out), edges_(edges.size()),
-      firstOutgoing_(pointCount + 1, 0), anyIncoming_(pointCount, kNone) {
-	for (const PlanarEdge& e : edges) {
-		++firstOutgoing_[e.left + 1];
+bool PlanarSweep::Line::run(std::uint32_t pointCount, const std::vector<PlanarEdge>& edges,
+                              const PlanarOrientation& orientation,
+                              std::vector<std::array<std::uint32_t, 3>>& triangles) {
+	orientation_ = &orientation;
+	triangles_ = &triangles;
+	triangles.clear();
+	start(pointCount, edges);
+	for (std::uint32_t point = 0; point < pointCount; ++point) {
+		if (!visit(point)) {
+			return false;
+		}
 	}
-	for (std::uint32_t p = 0; p < pointCount; ++p) {
-		firstOutgoing_[p + 1] += firstOutgoing_[p];
-	}
-	std::vector<std::uint32_t> next(firstOutgoing_.begin(), firstOutgoing_.end() - 1);
+	return active_.empty();
+}
+
+void PlanarSweep::Line::start(std::uint32_t pointCount, const std::vector<PlanarEdge>& edges) {
+	active_.clear();
+	links_.clear();
+	edges_.resize(edges.size());
+	firstOutgoing_.assign(pointCount + 1, 0);
+	anyIncoming_.assign(pointCount, kNone);
 	for (const PlanarEdge& e : edges) {
-		edges_[next[e.left]++].edge = e;
+		++firstOutgoing_[e.left];
+	}
+	std::uint32_t sum = 0;
+	for (std::uint32_t& first : firstOutgoing_) {
+		sum += first;
+		first = sum;  // the end; filling moves it to the beginning
+	}
+	for (const PlanarEdge& e : edges) {
+		edges_[--firstOutgoing_[e.left]].edge = e;
 	}
 	for (std::uint32_t p = 0; p < pointCount; ++p) {
 		sortOutgoing(p);
@@ -87,67 +116,57 @@ Sweep::Sweep(std::uint32_t pointCount, const std::vector<PlanarEdge>& edges,
 	for (std::uint32_t e = 0; e < edges_.size(); ++e) {
 		anyIncoming_[edges_[e].edge.right] = e;
 	}
-	links_.reserve(2 * static_cast<std::size_t>(pointCount));
 }
 
 // Upwards: b comes after a if its right end lies left of point -> a's right end.
-void Sweep::sortOutgoing(std::uint32_t point) {
-	const auto below = [this, point](const ActiveEdge& a, const ActiveEdge& b) {
-		return orientation_(point, a.edge.right, b.edge.right) > 0;
-	};
+void PlanarSweep::Line::sortOutgoing(std::uint32_t point) {
 	const auto begin = edges_.begin() + firstOutgoing_[point];
 	const auto end = edges_.begin() + firstOutgoing_[point + 1];
-	if (end - begin == 2) {  // by far the most frequent case of more than one
-		if (below(begin[1], begin[0])) {
+	const auto isBelow = [this, point](PlanarEdge a, PlanarEdge b) {
+		return orientation(point, a.right, b.right) > 0;
+	};
+	if (end - begin < 2) {
+		return;
+	}
+	if (end - begin == 2) {  // by far the most frequent case: one question, not two
+		if (isBelow(begin[1].edge, begin[0].edge)) {
 			std::swap(begin[0].edge, begin[1].edge);
 		}
 		return;
 	}
-	std::vector<PlanarEdge> sorted;
-	std::transform(begin, end, std::back_inserter(sorted),
+	outgoing_.clear();
+	std::transform(begin, end, std::back_inserter(outgoing_),
 	               [](const ActiveEdge& e) { return e.edge; });
-	std::sort(sorted.begin(), sorted.end(), [this, point](PlanarEdge a, PlanarEdge b) {
-		return orientation_(point, a.right, b.right) > 0;
-	});
-	std::transform(begin, end, sorted.begin(), begin,
+	std::sort(outgoing_.begin(), outgoing_.end(), isBelow);
+	std::transform(begin, end, outgoing_.begin(), begin,
 	               [](ActiveEdge& e, PlanarEdge edge) -> ActiveEdge& {
 		               e.edge = edge;
 		               return e;
 	               });
 }
 
-bool Sweep::run() {
-	for (std::uint32_t point = 0; point < anyIncoming_.size(); ++point) {
-		if (!visit(point)) {
-			return false;
-		}
-	}
-	return status_.empty();
-}
-
 // The lowest edge above a point that no edge ends at. False if the point lies on an edge or
 // outside.
-bool Sweep::findInterval(std::uint32_t point, ActiveEdges::iterator& upper) const {
+bool PlanarSweep::Line::findInterval(std::uint32_t point, ActiveEdges::iterator& upper) {
 	bool onEdge = false;
 	const auto isBelow = [this, &onEdge](std::uint32_t p, const ActiveEdge& e) {
-		const int side = orientation_(e.edge.left, e.edge.right, p);
+		const int side = orientation(e.edge.left, e.edge.right, p);
 		onEdge = onEdge || side == 0;
 		return side < 0;
 	};
-	auto& status = const_cast<ActiveEdges&>(status_);
-	upper = status.upper_bound(point, isBelow);
-	return !onEdge && upper != status.begin() && upper != status.end();
+	upper = active_.upper_bound(point, isBelow);
+	return !onEdge && upper != active_.begin() && upper != active_.end();
 }
 
 // Takes out the edges that end at the point, from the lowest, `it`, upwards, and fills the
 // intervals between them. Leaves `it` above them; the chain above the highest goes to upperChain if
 // there is an interval above it. False if the point does not see what it should.
-bool Sweep::closeIncoming(std::uint32_t point, ActiveEdges::iterator& it, Chain& upperChain,
+bool PlanarSweep::Line::closeIncoming(std::uint32_t point, ActiveEdges::iterator& it, Chain& upperChain,
                           bool& hasUpper) {
-	while (it != status_.end() && it->edge.right == point) {
+	while (it != active_.end() && it->edge.right == point) {
 		upperChain = it->chain;
-		it = status_.erase(it);
-		hasUpper = it != status_.end();
+		it = active_.erase(it);
+		hasUpper = it != active_.end();
 		if (hasUpper && it->edge.right == point && !emitFan(point, upperChain)) {
 			return false;
 		}
@@ -155,23 +174,23 @@ bool Sweep::closeIncoming(std::uint32_t point, ActiveEdges::iterator& it, Chain&
 	return true;
 }
 
-bool Sweep::visit(std::uint32_t point) {
+bool PlanarSweep::Line::visit(std::uint32_t point) {
 	Chain lower, upper;
 	bool hasLower = false, hasUpper = false;
-	ActiveEdges::iterator above = status_.end();
+	ActiveEdges::iterator above = active_.end();
 	if (anyIncoming_[point] != kNone) {
-		above = status_.iterator_to(edges_[anyIncoming_[point]]);
-		while (above != status_.begin() && std::prev(above)->edge.right == point) {
+		above = active_.iterator_to(edges_[anyIncoming_[point]]);
+		while (above != active_.begin() && std::prev(above)->edge.right == point) {
 			--above;
 		}
-		hasLower = above != status_.begin();
+		hasLower = above != active_.begin();
 		if (hasLower) {
 			lower = std::prev(above)->chain;
 		}
 		if (!closeIncoming(point, above, upper, hasUpper)) {
 			return false;
 		}
-	} else if (!status_.empty()) {
+	} else if (!active_.empty()) {
 		if (!findInterval(point, above)) {
 			return false;
 		}
@@ -201,18 +220,18 @@ bool Sweep::visit(std::uint32_t point) {
 	for (std::uint32_t e = begin; e < end; ++e) {
 		const std::uint32_t link = e + 1 < end ? newLink(point, kNone, kNone) : kNone;
 		edges_[e].chain = e + 1 < end ? Chain{link, link, link} : upper;
-		status_.insert_before(above, edges_[e]);
+		active_.insert_before(above, edges_[e]);
 	}
 	return true;
 }
 
-std::uint32_t Sweep::newLink(std::uint32_t point, std::uint32_t below, std::uint32_t above) {
+std::uint32_t PlanarSweep::Line::newLink(std::uint32_t point, std::uint32_t below, std::uint32_t above) {
 	links_.push_back({point, below, above});
 	return static_cast<std::uint32_t>(links_.size() - 1);
 }
 
 // Cuts the chain at the link added last, which both parts keep; returns the upper part.
-Chain Sweep::splitAtLast(Chain& chain) {
+Chain PlanarSweep::Line::splitAtLast(Chain& chain) {
 	const std::uint32_t above = links_[chain.last].above;
 	const std::uint32_t copy = newLink(pointOf(chain.last), kNone, above);
 	if (above != kNone) {
@@ -225,13 +244,13 @@ Chain Sweep::splitAtLast(Chain& chain) {
 }
 
 // Adds a point above the chain's top, after cutting off what it sees from there.
-void Sweep::attachTop(Chain& chain, std::uint32_t point) {
+void PlanarSweep::Line::attachTop(Chain& chain, std::uint32_t point) {
 	std::uint32_t top = chain.top;
 	for (std::uint32_t next = links_[top].below; next != kNone; next = links_[top].below) {
-		if (orientation_(pointOf(next), point, pointOf(top)) <= 0) {
+		if (orientation(pointOf(next), point, pointOf(top)) <= 0) {
 			break;
 		}
-		triangles_.push_back({pointOf(next), point, pointOf(top)});
+		emit(pointOf(next), point, pointOf(top));
 		top = next;
 	}
 	const std::uint32_t link = newLink(point, top, kNone);
@@ -240,13 +259,13 @@ void Sweep::attachTop(Chain& chain, std::uint32_t point) {
 }
 
 // The same below the chain's bottom.
-void Sweep::attachBottom(Chain& chain, std::uint32_t point) {
+void PlanarSweep::Line::attachBottom(Chain& chain, std::uint32_t point) {
 	std::uint32_t bottom = chain.bottom;
 	for (std::uint32_t next = links_[bottom].above; next != kNone; next = links_[bottom].above) {
-		if (orientation_(pointOf(bottom), point, pointOf(next)) <= 0) {
+		if (orientation(pointOf(bottom), point, pointOf(next)) <= 0) {
 			break;
 		}
-		triangles_.push_back({pointOf(bottom), point, pointOf(next)});
+		emit(pointOf(bottom), point, pointOf(next));
 		bottom = next;
 	}
 	const std::uint32_t link = newLink(point, kNone, bottom);
@@ -255,7 +274,7 @@ void Sweep::attachBottom(Chain& chain, std::uint32_t point) {
 }
 
 // Joins two chains, the lower of which ends with the point that the upper begins with.
-Chain Sweep::join(const Chain& lower, const Chain& upper) {
+Chain PlanarSweep::Line::join(const Chain& lower, const Chain& upper) {
 	const std::uint32_t above = links_[upper.bottom].above;
 	links_[lower.top].above = above;
 	if (above == kNone) {
@@ -268,25 +287,26 @@ Chain Sweep::join(const Chain& lower, const Chain& upper) {
 // Fills the interval between two edges that end at the point. It sees the whole chain, unless edges
 // cross: every triangle of a result is known to be counter-clockwise, so that a result whose edges
 // match is one layer.
-bool Sweep::emitFan(std::uint32_t point, const Chain& chain) {
+bool PlanarSweep::Line::emitFan(std::uint32_t point, const Chain& chain) {
 	for (std::uint32_t link = chain.bottom; links_[link].above != kNone;
 	     link = links_[link].above) {
 		const std::uint32_t next = pointOf(links_[link].above);
-		if (orientation_(pointOf(link), point, next) <= 0) {
+		if (orientation(pointOf(link), point, next) <= 0) {
 			return false;
 		}
-		triangles_.push_back({pointOf(link), point, next});
+		emit(pointOf(link), point, next);
 	}
 	return true;
 }
 
-}  // namespace
+PlanarSweep::PlanarSweep() : line_(std::make_unique<Line>()) {}
 
-bool triangulatePlanar(std::uint32_t pointCount, const std::vector<PlanarEdge>& edges,
-                       const PlanarOrientation& orientation,
-                       std::vector<std::array<std::uint32_t, 3>>& triangles) {
-	triangles.clear();
-	return Sweep(pointCount, edges, orientation, triangles).run();
+PlanarSweep::~PlanarSweep() = default;
+
+bool PlanarSweep::triangulate(std::uint32_t pointCount, const std::vector<PlanarEdge>& edges,
+                              const PlanarOrientation& orientation,
+                              std::vector<std::array<std::uint32_t, 3>>& triangles) {
+	return line_->run(pointCount, edges, orientation, triangles);
 }
 
 }  // namespace index_boolean

@@ -11,6 +11,7 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 namespace index_boolean {
@@ -27,16 +28,27 @@ public:
 	virtual int operator()(std::uint32_t a, std::uint32_t b, std::uint32_t c) const = 0;
 };
 
-// Triangulates.
-// \param pointCount  points are 0 .. pointCount-1, sorted lexicographically, all different
-// \param edges       the polygon's sides (cut at the points on them) and the inner edges; each
-//                    once, in any order; they meet in common end points only, and no point lies
-//                    inside an edge
-// \param orientation the exact orientation of three points
-// \param triangles   replaced: counter-clockwise triples of ranks
-// \return false if the input breaks the above, as far as noticed; triangles are then meaningless
-bool triangulatePlanar(std::uint32_t pointCount, const std::vector<PlanarEdge>& edges,
-                       const PlanarOrientation& orientation,
-                       std::vector<std::array<std::uint32_t, 3>>& triangles);
+// Triangulates one polygon after another, with reused buffers. One object for each thread.
+class PlanarSweep {
+public:
+	PlanarSweep();
+	~PlanarSweep();
+
+	// \param pointCount  points are 0 .. pointCount-1, sorted lexicographically, all different
+	// \param edges       the polygon's sides (cut at the points on them) and the inner edges; each
+	//                    once, in any order; they meet in common end points only, and no point lies
+	//                    inside an edge
+	// \param orientation the exact orientation of three points
+	// \param triangles   replaced: counter-clockwise triples of ranks
+	// \return false if the input breaks the above, as far as noticed; triangles are then
+	// meaningless
+	bool triangulate(std::uint32_t pointCount, const std::vector<PlanarEdge>& edges,
+	                 const PlanarOrientation& orientation,
+	                 std::vector<std::array<std::uint32_t, 3>>& triangles);
+
+private:
+	class Line;
+	std::unique_ptr<Line> line_;
+};
 
 }  // namespace index_boolean

@@ -102,11 +102,46 @@ private:
 	int axis_;
 };
 
+// Finds cut edges by their ends: few to search among begin with about the same lower end.
+class CutEdgeFinder {
+public:
+	CutEdgeFinder(const std::vector<CutEdge>& edges, std::size_t vertexCount) : edges_(edges) {
+		while (vertexCount >> shift_ > edges.size()) {
+			++shift_;
+		}
+		firsts_.resize((vertexCount >> shift_) + 2);
+		for (const CutEdge& e : edges) {
+			++firsts_[bucketOf(e.low) + 1];
+		}
+		std::partial_sum(firsts_.begin(), firsts_.end(), firsts_.begin());
+	}
+
+	// The cut edge between two vertices, or null.
+	const CutEdge* find(VertexId a, VertexId b) const {
+		const std::pair<VertexId, VertexId> key = std::minmax(a, b);
+		const auto begin = edges_.begin() + firsts_[bucketOf(key.first)];
+		const auto end = edges_.begin() + firsts_[bucketOf(key.first) + 1];
+		const auto it = std::lower_bound(
+		    begin, end, key, [](const CutEdge& e, const std::pair<VertexId, VertexId>& k) {
+			    return e.low != k.first ? e.low < k.first : e.high < k.second;
+		    });
+		const bool found = it != end && it->low == key.first && it->high == key.second;
+		return found ? &*it : nullptr;
+	}
+
+private:
+	std::size_t bucketOf(VertexId low) const { return low.value >> shift_; }
+
+	const std::vector<CutEdge>& edges_;  // sorted
+	unsigned shift_ = 0;
+	std::vector<std::uint32_t> firsts_;  // per bucket of lower ends; the end of all last
+};
+
 // Retriangulates one face after another, with reused buffers.
 class FaceCutter {
 public:
-	FaceCutter(const Arrangement& arrangement, ChunkPieces& out)
-	    : arrangement_(arrangement), out_(out) {}
+	FaceCutter(const Arrangement& arrangement, const CutEdgeFinder& cutEdges, ChunkPieces& out)
+	    : arrangement_(arrangement), cutEdges_(cutEdges), out_(out) {}
 
 	// False if the lines cannot all be part of one triangulation.
 	bool cut(const FaceLines& lines);
@@ -127,6 +162,7 @@ private:
 	void emit();
 
 	const Arrangement& arrangement_;
+	const CutEdgeFinder& cutEdges_;
 	ChunkPieces& out_;
 
 	FaceId face_{};
@@ -140,23 +176,15 @@ private:
 	std::vector<std::uint32_t> order_;   // by rank: which of the vertices it is
 	std::vector<std::uint32_t> rankOfVertex_;
 	std::vector<FixedEdge> fixed_;
+	std::vector<FixedEdge> border_;  // what the border adds to them
 	std::vector<PlanarEdge> planarEdges_;
+	PlanarSweep sweep_;
 	std::vector<std::array<std::uint32_t, 3>> triangles_;
 	std::vector<HalfEdge> halfEdges_;
 	std::vector<const HalfEdge*> besideFixed_;  // the first half-edge along each fixed edge
 	std::vector<std::uint32_t> regionOf_;       // per triangle; a union-find while uniting
+	std::vector<std::uint32_t> number_;         // of the region, while they are numbered
 };
-
-const CutEdge* findCutEdge(const Curve& curve, VertexId a, VertexId b) {
-	const std::pair<VertexId, VertexId> key = std::minmax(a, b);
-	const auto it =
-	    std::lower_bound(curve.cutEdges.begin(), curve.cutEdges.end(), key,
-	                     [](const CutEdge& e, const std::pair<VertexId, VertexId>& k) {
-		                     return e.low != k.first ? e.low < k.first : e.high < k.second;
-	                     });
-	const bool found = it != curve.cutEdges.end() && it->low == key.first && it->high == key.second;
-	return found ? &*it : nullptr;
-}
 
 void FaceCutter::collectBorder() {
 	const Curve& curve = arrangement_.curve;
@@ -169,7 +197,7 @@ void FaceCutter::collectBorder() {
 		const auto atCorner = static_cast<std::uint8_t>(onEdge | 1 << previousCorner(i));
 		vertices_.push_back({from, atCorner});
 		side_[k].assign(1, from);
-		cutEdge_[k] = findCutEdge(curve, from, to);
+		cutEdge_[k] = cutEdges_.find(from, to);
 		if (cutEdge_[k] != nullptr) {
 			const VertexId* points = curve.pointsOnEdges.data() + cutEdge_[k]->first;
 			for (std::uint32_t p = 0; p < cutEdge_[k]->count; ++p) {
@@ -191,8 +219,9 @@ void FaceCutter::collectInner(const FaceLines& lines) {
 		add(at(arrangement_.curve.segments, s->segment).end);
 	}
 	// Of equal ids the entry from the border comes first and stays.
-	std::stable_sort(vertices_.begin(), vertices_.end(),
-	                 [](const LocalVertex& a, const LocalVertex& b) { return a.id < b.id; });
+	std::sort(vertices_.begin(), vertices_.end(), [](const LocalVertex& a, const LocalVertex& b) {
+		return a.id != b.id ? a.id < b.id : a.onEdges > b.onEdges;
+	});
 	vertices_.erase(
 	    std::unique(vertices_.begin(), vertices_.end(),
 	                [](const LocalVertex& a, const LocalVertex& b) { return a.id == b.id; }),
@@ -255,7 +284,7 @@ FixedEdge* FaceCutter::fixedSegment(PlanarEdge ranks) {
 
 void FaceCutter::fixBorder() {
 	const auto vertexCount = static_cast<std::uint32_t>(arrangement_.mesh.points.size());
-	std::vector<FixedEdge> border;
+	border_.clear();
 	for (int i = 0; i < 3; ++i) {
 		const std::vector<VertexId>& side = side_[static_cast<std::size_t>(i)];
 		const CutEdge* cutEdge = cutEdge_[static_cast<std::size_t>(i)];
@@ -274,10 +303,10 @@ void FaceCutter::fixBorder() {
 				interval = {vertexCount + cutEdge->firstInterval +
 				            static_cast<std::uint32_t>(fromLow)};
 			}
-			border.push_back({ranks, true, SegmentId::none(), false, interval});
+			border_.push_back({ranks, true, SegmentId::none(), false, interval});
 		}
 	}
-	fixed_.insert(fixed_.end(), border.begin(), border.end());
+	fixed_.insert(fixed_.end(), border_.begin(), border_.end());
 }
 
 void FaceCutter::fixEdges(const FaceLines& lines) {
@@ -353,12 +382,12 @@ bool FaceCutter::unitePieces() {
 
 // A root is the first piece of its region, so one pass in order numbers them all.
 void FaceCutter::numberRegions() {
-	std::vector<std::uint32_t> number(regionOf_.size());
+	number_.resize(regionOf_.size());
 	for (std::uint32_t piece = 0; piece < regionOf_.size(); ++piece) {
 		const std::uint32_t root = findRoot(regionOf_, piece);
-		number[piece] = root == piece ? out_.regionCount++ : number[root];
+		number_[piece] = root == piece ? out_.regionCount++ : number_[root];
 	}
-	regionOf_ = std::move(number);
+	regionOf_.swap(number_);
 }
 
 // Records what lies to both sides of the segments and behind the border's intervals.
@@ -410,7 +439,7 @@ bool FaceCutter::cut(const FaceLines& lines) {
 	fixEdges(lines);
 	const FaceOrientation orientation(points_, vertices_, order_, axis_);
 	const auto pointCount = static_cast<std::uint32_t>(vertices_.size());
-	if (!triangulatePlanar(pointCount, planarEdges_, orientation, triangles_)) {
+	if (!sweep_.triangulate(pointCount, planarEdges_, orientation, triangles_)) {
 		return false;
 	}
 	// Euler: a polygon with b border points and n points in all has 2n - b - 2 triangles.
@@ -554,11 +583,12 @@ Status refuseFace(const Arrangement& arrangement, FaceId face) {
 Status retriangulate(Arrangement& arrangement, Monitor& monitor) {
 	constexpr std::size_t kGrain = 256;
 	const std::vector<FaceId>& faces = arrangement.curve.touchedFaces;
+	const CutEdgeFinder cutEdges(arrangement.curve.cutEdges, arrangement.mesh.points.size());
 	std::vector<ChunkPieces> chunks(chunkCount(faces.size(), kGrain));
 	const Status status = parallelForChunks(
 	    faces.size(), kGrain, arrangement.options.threads, monitor,
 	    [&](std::size_t chunk, std::size_t begin, std::size_t end) {
-		    FaceCutter cutter(arrangement, chunks[chunk]);
+		    FaceCutter cutter(arrangement, cutEdges, chunks[chunk]);
 		    for (std::size_t i = begin; i < end && chunks[chunk].failed == FaceId::none(); ++i) {
 			    if (!cutter.cut(linesOf(arrangement.curve, faces[i]))) {
 				    chunks[chunk].failed = faces[i];

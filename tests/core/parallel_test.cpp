@@ -226,7 +226,15 @@ TEST(Parallel, guardRestoresTheHostsEnvironment) {
 	{
 		const FpEnvironmentGuard guard;
 		EXPECT_TRUE(environmentIsDefault());
+		{
+			const FpEnvironmentGuard inner;
+		}
+		EXPECT_TRUE(environmentIsDefault()) << "an inner guard gives nothing back";
 	}
 	EXPECT_FALSE(environmentIsDefault());
+	{
+		const FpEnvironmentGuard guard;
+		EXPECT_TRUE(environmentIsDefault()) << "a second one guards as the first";
+	}
 	std::fesetenv(&before);
 }

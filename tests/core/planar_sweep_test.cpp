@@ -119,7 +119,7 @@ Problem randomProblem(std::mt19937& random, std::size_t inner, std::size_t tries
 void expectTriangulates(const Problem& problem) {
 	const GridOrientation orientation(problem.points);
 	std::vector<std::array<std::uint32_t, 3>> triangles;
-	ASSERT_TRUE(triangulatePlanar(static_cast<std::uint32_t>(problem.points.size()), problem.edges,
+	ASSERT_TRUE(PlanarSweep().triangulate(static_cast<std::uint32_t>(problem.points.size()), problem.edges,
 	                              orientation, triangles));
 	EXPECT_EQ(triangles.size(), 2 * problem.points.size() - problem.borderPoints - 2);
 	std::int64_t sum = 0;
@@ -181,8 +181,8 @@ TEST(PlanarSweep, answersFalseToCrossingOrOpenBorders) {
 	const std::vector<GridPoint> points{{0, 0}, {4, 8}, {8, 0}, {9, 9}};
 	const GridOrientation orientation(points);
 	std::vector<std::array<std::uint32_t, 3>> triangles;
-	EXPECT_FALSE(triangulatePlanar(3, {{0, 1}, {0, 2}}, orientation, triangles));
-	EXPECT_FALSE(triangulatePlanar(4, {{0, 1}, {1, 2}, {0, 2}}, orientation, triangles));
+	EXPECT_FALSE(PlanarSweep().triangulate(3, {{0, 1}, {0, 2}}, orientation, triangles));
+	EXPECT_FALSE(PlanarSweep().triangulate(4, {{0, 1}, {1, 2}, {0, 2}}, orientation, triangles));
 }
 
 TEST(PlanarSweep, asksForOrientationsInProportionToNLogN) {
@@ -211,7 +211,7 @@ TEST(PlanarSweep, asksForOrientationsInProportionToNLogN) {
 		expectTriangulates(problem);
 		const GridOrientation orientation(problem.points);
 		std::vector<std::array<std::uint32_t, 3>> triangles;
-		ASSERT_TRUE(triangulatePlanar(static_cast<std::uint32_t>(problem.points.size()),
+		ASSERT_TRUE(PlanarSweep().triangulate(static_cast<std::uint32_t>(problem.points.size()),
 		                              problem.edges, orientation, triangles));
 		EXPECT_LT(orientation.calls, static_cast<std::size_t>(100 * n));
 	}
