@@ -7,6 +7,7 @@
 #include "parallel.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <vector>
 
@@ -18,17 +19,33 @@ constexpr std::size_t kGrain = 16384;
 constexpr double kMax = std::numeric_limits<double>::max();
 constexpr BoundingBox kEmptyBox = {{kMax, kMax, kMax}, {-kMax, -kMax, -kMax}};
 
-// Comparisons with NaN are false, so NaN changes nothing.
-BoundingBox boxOf(const Point* begin, const Point* end) {
+// The box of those coordinates that `counts` accepts.
+template <class Counts>
+BoundingBox boxOf(const Point* begin, const Point* end, Counts counts) {
 	BoundingBox box = kEmptyBox;
 	for (const Point* point = begin; point != end; ++point) {
 		for (std::size_t axis = 0; axis < 3; ++axis) {
 			const double x = (*point)[axis];
-			box.lo[axis] = x < box.lo[axis] && x >= -kMax ? x : box.lo[axis];
-			box.hi[axis] = x > box.hi[axis] && x <= kMax ? x : box.hi[axis];
+			if (counts(x)) {
+				box.lo[axis] = x < box.lo[axis] ? x : box.lo[axis];
+				box.hi[axis] = x > box.hi[axis] ? x : box.hi[axis];
+			}
 		}
 	}
 	return box;
+}
+
+bool isFinite(const BoundingBox& box) {
+	const auto isNumber = [](double x) { return x >= -kMax && x <= kMax; };
+	return std::all_of(box.lo.begin(), box.lo.end(), isNumber) &&
+	       std::all_of(box.hi.begin(), box.hi.end(), isNumber);
+}
+
+// NaN passes, since comparisons with it are false; only an infinity in the box, which nearly no
+// mesh has, asks for a second look.
+BoundingBox finiteBoxOf(const Point* begin, const Point* end) {
+	const BoundingBox box = boxOf(begin, end, [](double) { return true; });
+	return isFinite(box) ? box : boxOf(begin, end, [](double x) { return std::fabs(x) <= kMax; });
 }
 
 }  // namespace
@@ -47,7 +64,7 @@ Status findBoundingBox(const Point* points, std::size_t count, int threads, Moni
 	const Status status =
 	    parallelForChunks(count, kGrain, threads, monitor,
 	                      [&](std::size_t chunk, std::size_t begin, std::size_t end) {
-		                      parts[chunk] = boxOf(points + begin, points + end);
+		                      parts[chunk] = finiteBoxOf(points + begin, points + end);
 	                      });
 	out = kEmptyBox;
 	for (const BoundingBox& part : parts) {

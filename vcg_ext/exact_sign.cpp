@@ -322,23 +322,13 @@ ExactPoint make(ExactPoint::Form form, int axis) {
 
 }  // namespace
 
-PlaneFilter::PlaneFilter(const Point& a, const Point& b, const Point& c) : origin_(a) {
-	const Vector<double> u = {b[0] - a[0], b[1] - a[1], b[2] - a[2]};
-	const Vector<double> v = {c[0] - a[0], c[1] - a[1], c[2] - a[2]};
-	for (std::size_t k = 0; k < 3; ++k) {
-		const std::size_t i = (k + 1) % 3, j = (k + 2) % 3;
-		const double left = u[i] * v[j], right = u[j] * v[i];
-		normal_[k] = left - right;
-		normalSize_[k] = std::fabs(left) + std::fabs(right);
-	}
-}
-
 int PlaneFilter::side(const Point& p) const {
 	const double x = p[0] - origin_[0], y = p[1] - origin_[1], z = p[2] - origin_[2];
-	const double value = normal_[0] * x + normal_[1] * y + normal_[2] * z;
+	const auto& [n, nSize] = normal_;
+	const double value = n[0] * x + n[1] * y + n[2] * z;
 	const double sizeX = std::fabs(x), sizeY = std::fabs(y), sizeZ = std::fabs(z);
 	// Seven rounded operations and an eighth for `size` lie on each path: below 10u times `size`.
-	const double size = normalSize_[0] * sizeX + normalSize_[1] * sizeY + normalSize_[2] * sizeZ;
+	const double size = nSize[0] * sizeX + nSize[1] * sizeY + nSize[2] * sizeZ;
 	const double bound = 12 * kRoundoff * size + kUnderflow * (1 + sizeX + sizeY + sizeZ);
 	return Bounded(value, bound).sign();
 }

@@ -19,11 +19,46 @@ namespace index_boolean {
 // on it. \pre finite. Complexity: O(1), almost always 40 flops.
 int orient3d(const Point& a, const Point& b, const Point& c, const Point& p);
 
+// The normal (b-a)x(c-a) of a face as rounded; `size` are the sums of the sizes of the two products
+// that each component is the difference of, which bound its error.
+struct RoundedNormal {
+	std::array<double, 3> value, size;
+
+	RoundedNormal(const Point& a, const Point& b, const Point& c);
+
+	// Whether the exact normal is certainly not zero. False where anything overflows.
+	bool isCertain() const;
+};
+
+inline RoundedNormal::RoundedNormal(const Point& a, const Point& b, const Point& c)
+    : value{}, size{} {
+	const std::array<double, 3> u{b[0] - a[0], b[1] - a[1], b[2] - a[2]};
+	const std::array<double, 3> v{c[0] - a[0], c[1] - a[1], c[2] - a[2]};
+	for (std::size_t k = 0; k < 3; ++k) {
+		const std::size_t i = k == 2 ? 0 : k + 1, j = k == 0 ? 2 : k - 1;
+		const double left = u[i] * v[j], right = u[j] * v[i];
+		value[k] = left - right;
+		size[k] = std::fabs(left) + std::fabs(right);
+	}
+}
+
+// With u the unit roundoff, each product errs by less than 3.1u of its computed size (two rounded
+// factors, one rounded product) and by less than 2^-1074 on underflow (differences of doubles do
+// not underflow); the last subtraction errs by u of the result. In all less than 4.2u times `size`
+// plus 2^-1072; the bound is well above that, its own rounding included. An overflow makes the
+// comparison one of infinities or NaN, which is false.
+inline bool RoundedNormal::isCertain() const {
+	const auto certainlyNonZero = [this](std::size_t k) {
+		return std::fabs(value[k]) > 8 * kRoundoff * size[k] + kUnderflow;
+	};
+	return certainlyNonZero(0) || certainlyNonZero(1) || certainlyNonZero(2);
+}
+
 // The plane through a, b, c, ready to be asked for the sides of many points: a third of the cost of
 // orient3d, but no answer where rounding leaves a doubt.
 class PlaneFilter {
 public:
-	PlaneFilter(const Point& a, const Point& b, const Point& c);
+	PlaneFilter(const Point& a, const Point& b, const Point& c) : origin_(a), normal_(a, b, c) {}
 
 	// As orient3d(a, b, c, p), or kUnknownSign; 0 is never the answer.
 	int side(const Point& p) const;
@@ -33,8 +68,7 @@ public:
 
 private:
 	Point origin_;
-	std::array<double, 3> normal_;
-	std::array<double, 3> normalSize_;  // sums of the sizes of what the normal is the sum of
+	RoundedNormal normal_;
 };
 
 // The value behind that sign, six times the volume of the tetrahedron a b c p, with an error bound.

@@ -259,24 +259,6 @@ Status cleanOperand(Arrangement& arrangement, std::size_t operand, Monitor& moni
 	return {};
 }
 
-// \param cleaned whether there were any
-Status cleanZeroAreaFaces(Arrangement& arrangement, Monitor& monitor, bool& cleaned) {
-	std::vector<std::uint32_t> found;
-	Status status =
-	    findZeroAreaFaces(arrangement.mesh, arrangement.options.threads, monitor, found);
-	cleaned = !found.empty();
-	const std::uint32_t second = arrangement.mesh.faceBegin[1];
-	const bool inSecond = !found.empty() && found.back() >= second;
-	const bool inFirst = !found.empty() && found.front() < second;
-	if (status.ok() && inSecond) {
-		status = cleanOperand(arrangement, 1, monitor);
-	}
-	if (status.ok() && inFirst) {
-		status = cleanOperand(arrangement, 0, monitor);
-	}
-	return status.ok() ? checkSizes(arrangement.mesh) : status;
-}
-
 Status findClosed(Arrangement& arrangement, Monitor& monitor) {
 	const MeshArrays& mesh = arrangement.mesh;
 	Status status;
@@ -322,66 +304,104 @@ struct VolumeSum {
 // Six times the volume of the tetrahedron between a face and a point, and a bound on its error: as
 // orient3dBounded, but from the face's normal, whose parts are small where the face is. Eight
 // rounded operations lie on each path, so the error is below 9u times `size`.
-VolumeSum sixVolumes(const Point& a, const Point& b, const Point& c, const Point& reference) {
+VolumeSum sixVolumes(const Point& corner, const RoundedNormal& normal, const Point& reference) {
 	VolumeSum result;
 	double size = 0, room = 1;
-	for (std::size_t i = 0; i < 3; ++i) {
-		const std::size_t j = i == 2 ? 0 : i + 1, k = i == 0 ? 2 : i - 1;
-		const double left = (b[j] - a[j]) * (c[k] - a[k]);
-		const double right = (b[k] - a[k]) * (c[j] - a[j]);
-		const double height = a[i] - reference[i];
-		result.value += (left - right) * height;
-		size += (std::fabs(left) + std::fabs(right)) * std::fabs(height);
+	for (std::size_t k = 0; k < 3; ++k) {
+		const double height = corner[k] - reference[k];
+		result.value += normal.value[k] * height;
+		size += normal.size[k] * std::fabs(height);
 		room += std::fabs(height);
 	}
 	result.bound = 10 * kRoundoff * size + kUnderflow * room;
 	return result;
 }
 
-// Six times the signed volume of one operand and a bound on its error, in fixed chunks.
-Status sumVolume(const Arrangement& arrangement, std::size_t operand, Monitor& monitor,
-                 VolumeSum& out) {
-	const MeshArrays& mesh = arrangement.mesh;
-	const std::size_t first = mesh.faceBegin[operand];
-	const std::size_t count = mesh.faceBegin[operand + 1] - first;
-	const Point& reference = at(mesh.points, mesh.triangles[first][0]);
-	std::vector<VolumeSum> sums(chunkCount(count, kGrain));
-	const Status status =
-	    parallelForChunks(count, kGrain, arrangement.options.threads, monitor,
-	                      [&](std::size_t chunk, std::size_t begin, std::size_t end) {
-		                      VolumeSum sum;
-		                      for (std::size_t face = first + begin; face < first + end; ++face) {
-			                      const Triangle& t = mesh.triangles[face];
-			                      const VolumeSum term =
-			                          sixVolumes(at(mesh.points, t[0]), at(mesh.points, t[1]),
-			                                     at(mesh.points, t[2]), reference);
-			                      sum.value += term.value;
-			                      // Each of the partial sums is rounded once more.
-			                      sum.bound += term.bound + 2 * kRoundoff * std::fabs(sum.value);
-		                      }
-		                      sums[chunk] = sum;
-	                      });
-	for (const VolumeSum& sum : sums) {
-		out.value += sum.value;
-		out.bound += sum.bound + 2 * kRoundoff * std::fabs(out.value);
+// What one pass over an operand's faces tells.
+struct FacesSeen {
+	VolumeSum sixVolumes;                // signed
+	std::vector<std::uint32_t> zeroArea;  // the faces without area, ascending
+};
+
+FacesSeen lookAtFaces(const MeshArrays& mesh, std::size_t begin, std::size_t end,
+                      const Point& reference) {
+	FacesSeen seen;
+	VolumeSum& sum = seen.sixVolumes;
+	for (std::size_t face = begin; face < end; ++face) {
+		const Triangle& t = mesh.triangles[face];
+		const Point &a = at(mesh.points, t[0]), &b = at(mesh.points, t[1]),
+		            &c = at(mesh.points, t[2]);
+		const RoundedNormal normal(a, b, c);
+		if (!normal.isCertain() && hasZeroArea(a, b, c)) {
+			seen.zeroArea.push_back(static_cast<std::uint32_t>(face));
+		}
+		const VolumeSum term = sixVolumes(a, normal, reference);
+		sum.value += term.value;
+		// Each of the partial sums is rounded once more.
+		sum.bound += term.bound + 2 * kRoundoff * std::fabs(sum.value);
 	}
-	out.bound *= 1 + 1e-6;  // the bound's own rounding: far above n * u for any n that fits
+	return seen;
+}
+
+// Looks at both operands' faces, in fixed chunks.
+Status lookAtFaces(const Arrangement& arrangement, Monitor& monitor,
+                   std::array<FacesSeen, 2>& out) {
+	const MeshArrays& mesh = arrangement.mesh;
+	out = {};
+	Status status;
+	for (std::size_t operand = 0; operand < 2 && status.ok(); ++operand) {
+		const std::size_t first = mesh.faceBegin[operand];
+		const std::size_t count = mesh.faceBegin[operand + 1] - first;
+		const Point& reference = at(mesh.points, mesh.triangles[first][0]);
+		std::vector<FacesSeen> parts(chunkCount(count, kGrain));
+		status = parallelForChunks(
+		    count, kGrain, arrangement.options.threads, monitor,
+		    [&](std::size_t chunk, std::size_t begin, std::size_t end) {
+			    parts[chunk] = lookAtFaces(mesh, first + begin, first + end, reference);
+		    });
+		VolumeSum& sum = out[operand].sixVolumes;
+		std::vector<std::uint32_t>& zeroArea = out[operand].zeroArea;
+		for (const FacesSeen& part : parts) {
+			sum.value += part.sixVolumes.value;
+			sum.bound += part.sixVolumes.bound + 2 * kRoundoff * std::fabs(sum.value);
+			zeroArea.insert(zeroArea.end(), part.zeroArea.begin(), part.zeroArea.end());
+		}
+		sum.bound *= 1 + 1e-6;  // the bound's own rounding: far above n * u for any n that fits
+	}
 	return status;
+}
+
+// Cleans the operands that have faces without area, and looks at the faces again then.
+// \param seen    what was seen, and then what is there
+// \param cleaned whether there were any
+Status cleanZeroAreaFaces(Arrangement& arrangement, Monitor& monitor,
+                          std::array<FacesSeen, 2>& seen, bool& cleaned) {
+	cleaned = !seen[0].zeroArea.empty() || !seen[1].zeroArea.empty();
+	if (!cleaned) {
+		return {};
+	}
+	Status status;
+	for (const std::size_t operand : {std::size_t{1}, std::size_t{0}}) {
+		if (status.ok() && !seen[operand].zeroArea.empty()) {
+			status = cleanOperand(arrangement, operand, monitor);
+		}
+	}
+	if (status.ok()) {
+		status = checkSizes(arrangement.mesh);
+	}
+	return status.ok() ? lookAtFaces(arrangement, monitor, seen) : status;
 }
 
 // Finds the volumes of the closed operands, and on which side of each its solid lies. An operand
 // without volume is refused, if it must not be.
-Status findVolumes(Arrangement& arrangement, bool mustHaveVolume, Monitor& monitor) {
+Status findVolumes(Arrangement& arrangement, const std::array<FacesSeen, 2>& seen,
+                   bool mustHaveVolume) {
 	const MeshArrays& mesh = arrangement.mesh;
 	for (std::size_t operand = 0; operand < 2; ++operand) {
 		if (!arrangement.closed[operand]) {
 			continue;
 		}
-		VolumeSum sum;
-		const Status status = sumVolume(arrangement, operand, monitor, sum);
-		if (!status.ok()) {
-			return status;
-		}
+		const VolumeSum& sum = seen[operand].sixVolumes;
 		int sign = Bounded(sum.value, sum.bound).sign();
 		if (sign == kUnknownSign || sign == 0) {
 			sign = exactVolumeSign(mesh.points, mesh.triangles.data() + mesh.faceBegin[operand],
@@ -403,9 +423,9 @@ void turnFaux(MeshArrays& mesh, std::size_t operand) {
 	}
 }
 
-Status turnRightSideOut(Arrangement& arrangement, Monitor& monitor) {
+Status turnRightSideOut(Arrangement& arrangement, const std::array<FacesSeen, 2>& seen) {
 	MeshArrays& mesh = arrangement.mesh;
-	const Status status = findVolumes(arrangement, true, monitor);
+	const Status status = findVolumes(arrangement, seen, true);
 	for (std::size_t operand = 0; operand < 2; ++operand) {
 		if (status.ok() && arrangement.turned[operand]) {
 			std::for_each(mesh.triangles.begin() + mesh.faceBegin[operand],
@@ -522,9 +542,13 @@ Status prepareOperands(Arrangement& arrangement, Monitor& monitor) {
 	if (status.ok() && !bothManifold) {
 		status = checkClosed(arrangement, monitor);
 	}
+	std::array<FacesSeen, 2> seen;
 	bool cleaned = false;
 	if (status.ok()) {
-		status = cleanZeroAreaFaces(arrangement, monitor, cleaned);
+		status = lookAtFaces(arrangement, monitor, seen);
+	}
+	if (status.ok()) {
+		status = cleanZeroAreaFaces(arrangement, monitor, seen, cleaned);
 	}
 	if (status.ok()) {
 		status = welder.weldSecondToFirst();
@@ -533,7 +557,7 @@ Status prepareOperands(Arrangement& arrangement, Monitor& monitor) {
 		status = findNonManifold(arrangement, monitor);
 	}
 	if (status.ok()) {
-		status = turnRightSideOut(arrangement, monitor);
+		status = turnRightSideOut(arrangement, seen);
 	}
 	if (status.ok()) {
 		status = joinPolygons(arrangement, monitor);
@@ -544,12 +568,20 @@ Status prepareOperands(Arrangement& arrangement, Monitor& monitor) {
 Status prepareSurfaces(Arrangement& arrangement, Monitor& monitor) {
 	CornerWelder welder(arrangement.mesh, arrangement.options.threads, monitor);
 	Status status = weldOperands(arrangement, monitor, welder);
+	std::array<FacesSeen, 2> seen;
 	bool cleaned = false;
 	if (status.ok()) {
-		status = cleanZeroAreaFaces(arrangement, monitor, cleaned);
+		status = lookAtFaces(arrangement, monitor, seen);
 	}
 	if (status.ok()) {
+		status = cleanZeroAreaFaces(arrangement, monitor, seen, cleaned);
+	}
+	const std::size_t faceCount = arrangement.mesh.triangles.size();
+	if (status.ok()) {
 		status = takeDuplicateFacesOnce(arrangement, monitor);
+	}
+	if (status.ok() && arrangement.mesh.triangles.size() < faceCount) {
+		status = lookAtFaces(arrangement, monitor, seen);
 	}
 	if (status.ok()) {
 		status = welder.weldSecondToFirst();
@@ -563,7 +595,7 @@ Status prepareSurfaces(Arrangement& arrangement, Monitor& monitor) {
 	if (status.ok()) {
 		status = joinPolygons(arrangement, monitor);
 	}
-	return status.ok() ? findVolumes(arrangement, false, monitor) : status;
+	return status.ok() ? findVolumes(arrangement, seen, false) : status;
 }
 
 }  // namespace index_boolean

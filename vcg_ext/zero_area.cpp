@@ -9,26 +9,11 @@
 #include "exact_sign.h"
 #include "parallel.h"
 
-#include <cmath>
-
 namespace index_boolean {
 
 namespace {
 
 constexpr std::size_t kGrain = 16384;  // faces that a thread takes at a time
-
-// Whether p*s - q*r is certainly not zero, where p, q, r, s are rounded differences of doubles.
-// With u the unit roundoff, each product errs by less than 3.1u of its computed size (two rounded
-// factors, one rounded product) and by less than 2^-1074 on underflow (differences of doubles do
-// not underflow); the last subtraction errs by u of the result. In all less than 4.2u times `size`
-// plus 2^-1072; the bound is well above that, its own rounding included. An overflow makes the
-// comparison one of infinities or NaN, which is false: not certain.
-bool certainlyNonZero(double p, double q, double r, double s) {
-	const double left = p * s;
-	const double right = q * r;
-	const double size = std::fabs(left) + std::fabs(right);
-	return std::fabs(left - right) > 8 * kRoundoff * size + kUnderflow;
-}
 
 // Gathers the faces of [0, count) that have no area; faceAt(i) is a face's index, cornersOf(face)
 // its three points.
@@ -64,10 +49,7 @@ auto cornersIn(const Points& points, const IndexTriangles& triangles) {
 }  // namespace
 
 bool hasZeroArea(const Point& a, const Point& b, const Point& c) {
-	const double ux = b[0] - a[0], uy = b[1] - a[1], uz = b[2] - a[2];
-	const double vx = c[0] - a[0], vy = c[1] - a[1], vz = c[2] - a[2];
-	if (certainlyNonZero(ux, uy, vx, vy) || certainlyNonZero(uy, uz, vy, vz) ||
-	    certainlyNonZero(uz, ux, vz, vx))
+	if (RoundedNormal(a, b, c).isCertain())
 		return false;
 	return orient2d(a, b, c, 0) == 0 && orient2d(a, b, c, 1) == 0 && orient2d(a, b, c, 2) == 0;
 }
@@ -85,16 +67,6 @@ Status findZeroAreaFacesAmong(const std::vector<std::uint32_t>& candidates, cons
 	const auto faceAt = [&candidates](std::size_t i) { return candidates[i]; };
 	return gatherZeroArea(candidates.size(), threads, monitor, faceAt, cornersIn(points, triangles),
 	                      out);
-}
-
-Status findZeroAreaFaces(const MeshArrays& mesh, int threads, Monitor& monitor,
-                         std::vector<std::uint32_t>& out) {
-	const auto corners = [&mesh](std::size_t face) -> std::array<const Point*, 3> {
-		const Triangle& t = mesh.triangles[face];
-		return {&at(mesh.points, t[0]), &at(mesh.points, t[1]), &at(mesh.points, t[2])};
-	};
-	return gatherZeroArea(
-	    mesh.triangles.size(), threads, monitor, [](std::size_t i) { return i; }, corners, out);
 }
 
 }  // namespace index_boolean

@@ -6,7 +6,7 @@
 // small or large; a face is never judged by its size.
 #pragma once
 
-#include "mesh_arrays.h"
+#include "ids.h"
 #include "monitor.h"
 #include "status.h"
 
@@ -36,9 +36,5 @@ Status findZeroAreaFaces(const Points& points, const IndexTriangles& triangles, 
 Status findZeroAreaFacesAmong(const std::vector<std::uint32_t>& candidates, const Points& points,
                               const IndexTriangles& triangles, int threads, Monitor& monitor,
                               std::vector<std::uint32_t>& out);
-
-// The same among all faces of both operands.
-Status findZeroAreaFaces(const MeshArrays& mesh, int threads, Monitor& monitor,
-                         std::vector<std::uint32_t>& out);
 
 }  // namespace index_boolean

@@ -543,18 +543,12 @@ TEST(ZeroArea, isFoundAlikeInRangesListsAndOperands) {
 	Monitor monitor;
 	std::vector<std::uint32_t> all(n), found{1, 2, 3}, upper;
 	std::iota(all.begin(), all.end(), 0U);
-	MeshArrays arrays;
-	arrays.points = mesh.points;
-	for (const IndexTriangle& t : mesh.triangles)
-		arrays.triangles.push_back({VertexId{t[0]}, VertexId{t[1]}, VertexId{t[2]}});
 	for (const int threads : {1, 2, 8}) {
 		ASSERT_TRUE(
 		    findZeroAreaFaces(mesh.points, mesh.triangles, {0, n}, threads, monitor, found).ok());
 		EXPECT_EQ(found, expected);
 		ASSERT_TRUE(
 		    findZeroAreaFacesAmong(all, mesh.points, mesh.triangles, threads, monitor, found).ok());
-		EXPECT_EQ(found, expected);
-		ASSERT_TRUE(findZeroAreaFaces(arrays, threads, monitor, found).ok());
 		EXPECT_EQ(found, expected);
 	}
 	ASSERT_TRUE(findZeroAreaFaces(mesh.points, mesh.triangles, {n / 2, n}, 0, monitor, upper).ok());
