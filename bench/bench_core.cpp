@@ -23,6 +23,7 @@
 #include <fstream>
 #include <iostream>
 #include <numeric>
+#include <optional>
 
 namespace {
 
@@ -208,6 +209,7 @@ Outcome runOnce(const Operands& operands, const Options& options,
 	Arrangement arrangement;
 	Monitor monitor;
 	StopWatch total, stage;
+	std::optional<PageReuse> pages(std::in_place);
 	MeshArrays input;
 	outcome.status = joinSurfaces({viewOf(operands[0].points, operands[0].triangles),
 	                               viewOf(operands[1].points, operands[1].triangles)},
@@ -228,6 +230,7 @@ Outcome runOnce(const Operands& operands, const Options& options,
 	}
 	outcome.loops = arrangement.loopCounts;
 	arrangement = {};
+	pages.reset();
 	outcome.stages.emplace_back("free", stage.lap());
 	outcome.total = total.lap();
 	return outcome;

@@ -6,7 +6,7 @@
 #include "attributes.h"
 
 #include "exact_sign.h"
-#include "huge_pages.h"
+#include "huge_vector.h"
 #include "parallel.h"
 #include "weld.h"
 
@@ -330,7 +330,7 @@ private:
 	const SourcedMesh& mesh_;
 	AttributeSources& out_;
 	// Per vertex: a face at it, the second operand's marked.
-	std::unique_ptr<std::atomic<std::uint32_t>[]> chosen_;
+	HugeVector<std::atomic<std::uint32_t>> chosen_;
 	std::vector<Wanted> wanted_;
 };
 
@@ -346,7 +346,7 @@ void lowerTo(std::uint32_t value, std::atomic<std::uint32_t>& number) {
 Status SourceFinder::findFaces() {
 	const std::size_t n = mesh_.points.size();
 	const int threads = arrangement_.options.threads;
-	chosen_ = makeHuge<std::atomic<std::uint32_t>>(n);
+	chosen_ = HugeVector<std::atomic<std::uint32_t>>(n);
 	out_.face.resize(mesh_.triangles.size());
 	const Status status =
 	    parallelFor(n, kGrain, threads, monitor_, [&](std::size_t begin, std::size_t end) {

@@ -5,7 +5,7 @@
 // has to mark its corners.
 #include "blocks.h"
 
-#include "huge_pages.h"
+#include "huge_vector.h"
 #include "parallel.h"
 #include "weld.h"
 
@@ -99,7 +99,7 @@ private:
 	const Rule (&rules_)[2][4];
 	Monitor& monitor_;
 	Block& out_;
-	std::unique_ptr<std::uint32_t[]> newIndex_;  // per input vertex and curve point that is kept
+	HugeVector<std::uint32_t> newIndex_;  // per input vertex and curve point that is kept
 };
 
 // Counts what `keeps` in each chunk of n items; returns where each chunk's begin, the total last.
@@ -130,7 +130,7 @@ Status Collector::collectVertices() {
 	if (!status.ok()) {
 		return status;
 	}
-	newIndex_ = makeHuge<std::uint32_t>(n + arrangement_.curve.pointCount());
+	newIndex_.resize(n + arrangement_.curve.pointCount());
 	const std::vector<VertexId> onOther = keptOnOther();
 	out_.points.reserve(begins.back() + onOther.size());
 	out_.vertexSource.reserve(begins.back() + onOther.size());

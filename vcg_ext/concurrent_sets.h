@@ -6,12 +6,11 @@
 // sets are united.
 #pragma once
 
-#include "huge_pages.h"
+#include "huge_vector.h"
 
 #include <array>
 #include <atomic>
 #include <cstdint>
-#include <memory>
 #include <utility>
 
 namespace index_boolean {
@@ -20,7 +19,7 @@ class ConcurrentSets {
 public:
 	ConcurrentSets() = default;
 	explicit ConcurrentSets(std::size_t size)
-	    : size_(size), parents_(makeHuge<std::atomic<std::uint32_t>>(size)) {}
+	    : parents_(size) {}
 
 	// Before any are united, for all elements [begin, end): they are in no set until they are
 	// united with others.
@@ -76,7 +75,7 @@ public:
 	// The number of sets.
 	std::size_t count() const {
 		std::size_t count = 0;
-		for (std::size_t i = 0; i < size_; ++i)
+		for (std::size_t i = 0; i < parents_.size(); ++i)
 			count += parents_[i].load(std::memory_order_relaxed) == i ? 1 : 0;
 		return count;
 	}
@@ -101,8 +100,7 @@ private:
 		return i;
 	}
 
-	std::size_t size_ = 0;
-	std::unique_ptr<std::atomic<std::uint32_t>[]> parents_;
+	HugeVector<std::atomic<std::uint32_t>> parents_;
 };
 
 }  // namespace index_boolean

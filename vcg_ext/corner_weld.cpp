@@ -6,7 +6,7 @@
 #include "corner_weld.h"
 
 #include "coordinate_hash.h"
-#include "huge_pages.h"
+#include "huge_vector.h"
 #include "parallel.h"
 
 #include <algorithm>
@@ -190,7 +190,7 @@ Status CornerWelder::findSuspects(double most, bool& inRange) {
 Status CornerWelder::replaceCorners(const std::vector<Move>& moves, std::size_t firstFace) {
 	if (moves.empty())
 		return {};
-	const auto canonical = makeHuge<VertexId>(mesh_.points.size());
+	HugeVector<VertexId> canonical(mesh_.points.size());
 	Status status = parallelFor(mesh_.points.size(), kGrain, threads_, monitor_,
 	                            [&canonical](std::size_t begin, std::size_t end) {
 		                            for (std::size_t v = begin; v < end; ++v)

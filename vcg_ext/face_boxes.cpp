@@ -7,7 +7,7 @@
 #include "face_boxes.h"
 
 #include "bounding_box.h"
-#include "huge_pages.h"
+#include "huge_vector.h"
 #include "parallel.h"
 
 #include <algorithm>
@@ -132,7 +132,7 @@ public:
 	    : mesh_(mesh), frame_(frame), threads_(threads), monitor_(monitor) {}
 
 	Status mapVertices() {
-		points_ = makeHuge<FramePoint>(mesh_.points.size());
+		points_.resize(mesh_.points.size());
 		return parallelFor(mesh_.points.size(), kGrain, threads_, monitor_,
 		                   [&](std::size_t begin, std::size_t end) {
 			                   for (std::size_t i = begin; i < end; ++i)
@@ -196,7 +196,7 @@ private:
 	Frame frame_;
 	int threads_;
 	Monitor& monitor_;
-	std::unique_ptr<FramePoint[]> points_;
+	HugeVector<FramePoint> points_;
 };
 
 // The larger operand's faces are looked at once, the smaller one's twice: to mark its cells, and

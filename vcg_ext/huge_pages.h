@@ -1,42 +1,45 @@
 // SPDX-FileCopyrightText: 2026 The Index Boolean authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// in: an array and how large it will be; out: room for it, in huge pages where the system has them.
-// Guarantee: a hint only. What the array holds does not depend on it.
+// in: how large an array will be; out: room for it, in huge pages where the system has them, from
+// what earlier arrays have given back if a run keeps that. Guarantee: what the array holds does not
+// depend on it.
 #pragma once
 
 #include <cstddef>
-#include <memory>
-#include <type_traits>
 #include <vector>
 
 namespace index_boolean {
 
-// Asks the system for huge pages in memory that has not been touched yet: the first touch of a
-// page of 4 KiB costs as much as writing ten of them. Where there are none, nothing happens. O(1).
+// Memory for an array. Its first touch costs as much as writing it ten times in pages of 4 KiB, so
+// that large arrays begin at a huge page's border and are made of huge pages. Throws
+// std::bad_alloc. O(1), or O(blocks kept). From any thread.
+void* allocatePages(std::size_t bytes);
+
+// Gives it back. \param bytes as asked for
+void releasePages(void* memory, std::size_t bytes) noexcept;
+
+// While one lives, memory that large arrays give back, in whatever thread, is kept for those to
+// come: the system clears each page that it gives, which takes as long as a small stage. With the
+// last one all that is kept goes back to the system.
+class PageReuse {
+public:
+	PageReuse();
+	~PageReuse();
+	PageReuse(const PageReuse&) = delete;
+	PageReuse& operator=(const PageReuse&) = delete;
+};
+
+// For an array with another allocator: makes room for n items whose memory is in huge pages, as far
+// as the system does so for a range that has not been touched. Throws std::bad_alloc.
 void adviseHugePages(void* memory, std::size_t bytes);
-
-// How many bytes to ask for so that the system can give whole huge pages, at least `bytes`.
 std::size_t hugePageCapacity(std::size_t bytes);
-
-// Makes room for n items in an array. Throws std::bad_alloc.
 template <class T, class Allocator>
 void reserveHuge(std::vector<T, Allocator>& array, std::size_t n) {
 	if (n > array.capacity()) {
 		array.reserve(hugePageCapacity(n * sizeof(T)) / sizeof(T));
 		adviseHugePages(array.data(), array.capacity() * sizeof(T));
 	}
-}
-
-// Makes n items that have no value yet: nothing touches them before who writes them.
-// \pre T is trivial. Throws std::bad_alloc.
-template <class T>
-std::unique_ptr<T[]> makeHuge(std::size_t n) {
-	static_assert(std::is_trivially_default_constructible_v<T>);
-	const std::size_t size = hugePageCapacity(n * sizeof(T));
-	std::unique_ptr<T[]> array(new T[size / sizeof(T)]);
-	adviseHugePages(array.get(), size);
-	return array;
 }
 
 }  // namespace index_boolean

@@ -30,12 +30,9 @@ struct HugeAllocator {
 		if (n > kMost) {
 			throw std::bad_alloc();
 		}
-		const std::size_t size = hugePageCapacity(n * sizeof(T));
-		void* memory = ::operator new(size);
-		adviseHugePages(memory, size);
-		return static_cast<T*>(memory);
+		return static_cast<T*>(allocatePages(n * sizeof(T)));
 	}
-	void deallocate(T* memory, std::size_t) { ::operator delete(memory); }
+	void deallocate(T* memory, std::size_t n) { releasePages(memory, n * sizeof(T)); }
 
 	template <class U>
 	void construct(U* item) {

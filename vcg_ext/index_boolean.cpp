@@ -6,6 +6,7 @@
 
 #include "clean.h"
 #include "coincident_faces.h"
+#include "huge_pages.h"
 #include "labels.h"
 #include "loops.h"
 #include "manifold_copies.h"
@@ -29,12 +30,14 @@ namespace index_boolean {
 
 namespace {
 
-// Runs one body with exceptions turned into a status, in the default floating-point environment.
+// Runs one body with exceptions turned into a status, in the default floating-point environment;
+// its stages pass memory on to each other.
 template <class Body>
 Status guarded(Body&& body) {
 	const FpEnvironmentGuard environment;
 	Status status;
 	try {
+		const PageReuse pages;
 		return body();
 	} catch (const std::bad_alloc&) {
 		status.code = StatusCode::OutOfMemory;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "non_manifold.h"
 
-#include "huge_pages.h"
+#include "huge_vector.h"
 
 #include <algorithm>
 
@@ -18,7 +18,7 @@ struct OppositeEdge {
 // The opposite edges at each vertex of a range, in one array.
 struct Links {
 	HugeVector<std::uint32_t> first;  // per vertex, and the end
-	std::unique_ptr<OppositeEdge[]> edges;
+	HugeVector<OppositeEdge> edges;
 };
 
 Links collectLinks(const Triangle* begin, const Triangle* end, VertexRange range) {
@@ -37,7 +37,7 @@ Links collectLinks(const Triangle* begin, const Triangle* end, VertexRange range
 		sum += first;
 		first = sum;  // the end; filling moves it to the beginning
 	}
-	links.edges = makeHuge<OppositeEdge>(sum);
+	links.edges.resize(sum);
 	for (const Triangle* t = begin; t != end; ++t) {
 		for (std::size_t i = 0; i < 3; ++i) {
 			const std::uint32_t v = (*t)[i].value - range.begin;
@@ -109,7 +109,7 @@ private:
 
 void findNonManifoldVertices(const Triangle* begin, const Triangle* end, VertexRange range,
                              std::vector<VertexId>& out) {
-	const Links links = collectLinks(begin, end, range);
+	Links links = collectLinks(begin, end, range);
 	CycleCheck check;
 	for (std::uint32_t v = 0; v < range.end - range.begin; ++v) {
 		const std::uint32_t first = links.first[v];
@@ -121,7 +121,7 @@ void findNonManifoldVertices(const Triangle* begin, const Triangle* end, VertexR
 }
 
 bool isClosedManifold(const Triangle* begin, const Triangle* end, VertexRange range) {
-	const Links links = collectLinks(begin, end, range);
+	Links links = collectLinks(begin, end, range);
 	CycleCheck check;
 	for (std::uint32_t v = 0; v < range.end - range.begin; ++v) {
 		const std::uint32_t first = links.first[v];

@@ -9,7 +9,7 @@
 
 #include "exact_sign.h"
 #include "face_boxes.h"
-#include "huge_pages.h"
+#include "huge_vector.h"
 #include "parallel.h"
 
 #include <limits>
@@ -55,18 +55,15 @@ struct Node {
 class BoxBuffer {
 public:
 	FaceBox* reserve(std::size_t size) {
-		if (size > capacity_) {
-			capacity_ = 0;
-			boxes_.reset();
-			boxes_ = makeHuge<FaceBox>(size);
-			capacity_ = size;
+		if (size > boxes_.size()) {
+			boxes_ = HugeVector<FaceBox>();  // before the larger one is there
+			boxes_.resize(size);
 		}
-		return boxes_.get();
+		return boxes_.data();
 	}
 
 private:
-	std::unique_ptr<FaceBox[]> boxes_;
-	std::size_t capacity_ = 0;
+	HugeVector<FaceBox> boxes_;
 };
 
 // Sets of the eight children as bits. Child c lies in the upper half along axis k iff bit k of c.

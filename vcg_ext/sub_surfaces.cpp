@@ -7,7 +7,7 @@
 #include "sub_surfaces.h"
 
 #include "concurrent_sets.h"
-#include "huge_pages.h"
+#include "huge_vector.h"
 #include "mesh_checks.h"
 #include "parallel.h"
 #include "weld.h"
@@ -77,7 +77,7 @@ private:
 	const SurfaceComplex& complex_;
 	std::size_t vertexCount_;                 // of the input
 	ConcurrentSets patches_;                  // of input vertices
-	std::unique_ptr<std::uint32_t[]> patch_;  // per root of these sets: its number
+	HugeVector<std::uint32_t> patch_;  // per root of these sets: its number
 	std::uint32_t patchCount_ = 0;
 	std::vector<std::uint32_t> nearPatch_;  // per near face
 	ConcurrentSets sides_;                  // 2 * patch: its front; 2 * patch + 1: its back
@@ -118,7 +118,7 @@ Status Finder::unitePatches() {
 
 // A near face without a plain vertex is a patch of its own.
 Status Finder::numberPatches() {
-	patch_ = makeHuge<std::uint32_t>(vertexCount_);
+	patch_.resize(vertexCount_);
 	for (std::uint32_t v = 0; v < vertexCount_; ++v) {
 		if (patches_.root(v) == v && complex_.isPlain({v})) {
 			patch_[v] = patchCount_++;

@@ -7,6 +7,8 @@
 #include <vcg_ext/index_boolean.h>
 
 #include <limits>
+#include <optional>
+#include <random>
 
 namespace {
 
@@ -75,5 +77,32 @@ TEST(HugeVector, aCountBeyondAllMemoryIsAnExceptionNotAShortArray) {
 	EXPECT_ANY_THROW(HugeAllocator<Point>{}.allocate(std::numeric_limits<std::size_t>::max() / 8));
 	EXPECT_TRUE(points.empty());
 }
+
+// Whatever is kept and divided, no two arrays that live share a byte, and none lose one.
+TEST(PageReuse, arraysKeepWhatTheyHoldWhileMemoryGoesRound) {
+	std::mt19937 random(7);
+	const PageReuse outer;
+	std::vector<HugeVector<std::uint32_t>> live(12);
+	for (int round = 0; round < 200; ++round) {
+		const std::optional<PageReuse> inner = round % 3 == 0 ? std::optional<PageReuse>(std::in_place)
+		                                                      : std::nullopt;
+		const std::size_t i = random() % live.size();
+		for (const std::uint32_t value : live[i]) {
+			ASSERT_EQ(value, i * 1000003);
+		}
+		live[i] = HugeVector<std::uint32_t>(random() % (std::size_t{3} << 19));
+		std::fill(live[i].begin(), live[i].end(), static_cast<std::uint32_t>(i * 1000003));
+	}
+}
+
+#if defined(__linux__) && !defined(__SANITIZE_ADDRESS__)
+TEST(PageReuse, givesTheSameMemoryAgain) {
+	constexpr std::size_t kCount = std::size_t{1} << 20;
+	const PageReuse pages;
+	const void* first = HugeVector<std::uint64_t>(kCount).data();
+	EXPECT_EQ(HugeVector<std::uint64_t>(kCount).data(), first);
+	EXPECT_EQ(reinterpret_cast<std::uintptr_t>(first) % 4096, 0u);
+}
+#endif
 
 }  // namespace
