@@ -218,19 +218,6 @@ bool weightsOf(const Barycentric<N>& quotients, int zero, std::array<double, 3>&
 	return true;
 }
 
-int orientationOfRounded(const ExactPoint& a, const ExactPoint& b, const ExactPoint& c, int axis) {
-	const auto coordinate = [](const ExactPoint& p, int k) {
-		const double value = p.rounded[static_cast<std::size_t>(k)];
-		return p.form == ExactPoint::Form::Explicit ? Bounded(value) : Bounded::fromRounded(value);
-	};
-	const int i = nextCorner(axis);
-	const int j = previousCorner(axis);
-	const Bounded ai = coordinate(a, i), aj = coordinate(a, j);
-	const Bounded value = (coordinate(b, i) - ai) * (coordinate(c, j) - aj) -
-	                      (coordinate(b, j) - aj) * (coordinate(c, i) - ai);
-	return value.sign();
-}
-
 // Whether all of the points have one coordinate in common, +0 and -0 being the same.
 bool haveEqual(const Point* const* points, std::size_t count, std::size_t axis) {
 	return std::all_of(points + 1, points + count,
@@ -501,11 +488,20 @@ int compareCoordinate(const ExactPoint& a, const ExactPoint& b, int axis) {
 	});
 }
 
-int orient2d(const ExactPoint& a, const ExactPoint& b, const ExactPoint& c, int axis) {
-	if (const int sign = orientationOfRounded(a, b, c, axis); sign != kUnknownSign) {
+int orient2d(const PlanarPoint& a, const PlanarPoint& b, const PlanarPoint& c) {
+	const Bounded value = (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
+	const int sign = value.sign();
+	if (sign != kUnknownSign)
 		countSign(Predicate::CurveOrient2d, DecidedBy::Double);
+	return sign;
+}
+
+int orient2d(const ExactPoint& a, const ExactPoint& b, const ExactPoint& c, int axis) {
+	const auto planar = [axis](const ExactPoint& p) {
+		return PlanarPoint(p.rounded, p.form == ExactPoint::Form::Explicit, axis);
+	};
+	if (const int sign = orient2d(planar(a), planar(b), planar(c)); sign != kUnknownSign)
 		return sign;
-	}
 	if (const int sign = orientationOfKnown(a, b, c, axis); sign != kUnknownSign) {
 		return sign;  // counted as one of input points
 	}

@@ -130,6 +130,26 @@ int compareCoordinate(const ExactPoint& a, const ExactPoint& b, int axis);
 // As orient2d above, for any points (whose rounded coordinates are filled).
 int orient2d(const ExactPoint& a, const ExactPoint& b, const ExactPoint& c, int axis);
 
+// A point in the projection along an axis, as far as its rounded coordinates tell.
+struct PlanarPoint {
+	Bounded x, y;  // along the axes after and before the one projected along
+
+	// \param isExact whether the coordinates are the point's own; else each is known to half an ulp
+	PlanarPoint(const Point& rounded, bool isExact, int axis);
+};
+
+inline PlanarPoint::PlanarPoint(const Point& rounded, bool isExact, int axis)
+    : x(rounded[static_cast<std::size_t>(nextCorner(axis))]),
+      y(rounded[static_cast<std::size_t>(previousCorner(axis))]) {
+	if (!isExact) {
+		x = Bounded::fromRounded(x.value);
+		y = Bounded::fromRounded(y.value);
+	}
+}
+
+// As orient2d above, or kUnknownSign.
+int orient2d(const PlanarPoint& a, const PlanarPoint& b, const PlanarPoint& c);
+
 // Compares how fast two planes rise towards `axis` with the coordinate `along`: -1, 0, +1.
 // \pre neither plane contains the direction of `axis`
 int compareSlopes(const std::array<const Point*, 3>& a, const std::array<const Point*, 3>& b,

@@ -57,6 +57,8 @@ struct ChunkPieces {
 struct LocalVertex {
 	VertexId id;
 	std::uint8_t onEdges;
+
+	bool isCorner() const { return (onEdges & (onEdges - 1)) != 0; }
 };
 
 // An edge of the planar problem that parts regions or bounds the face: a segment of the curve, an
@@ -75,31 +77,71 @@ struct HalfEdge {
 	bool rising;
 };
 
-bool operator<(PlanarEdge a, PlanarEdge b) {
-	return a.left != b.left ? a.left < b.left : a.right < b.right;
-}
-bool operator==(PlanarEdge a, PlanarEdge b) { return a.left == b.left && a.right == b.right; }
+// Both ends in one number, for sorting.
+std::uint64_t keyOf(PlanarEdge e) { return std::uint64_t{e.left} << 32 | e.right; }
+bool operator<(PlanarEdge a, PlanarEdge b) { return keyOf(a) < keyOf(b); }
+bool operator==(PlanarEdge a, PlanarEdge b) { return keyOf(a) == keyOf(b); }
 
-// Orientation of points known by rank. Three points on one edge of the face are collinear by name.
-class FaceOrientation : public PlanarOrientation {
+// The points of a planar problem, as rounded; what these leave in doubt is asked of the exact ones.
+class PlanarPoints {
 public:
-	FaceOrientation(const std::vector<ExactPoint>& points, const std::vector<LocalVertex>& vertices,
-	                const std::vector<std::uint32_t>& order, int axis)
-	    : points_(points), vertices_(vertices), order_(order), axis_(axis) {}
+	explicit PlanarPoints(const Arrangement& arrangement) : arrangement_(arrangement) {}
 
-	int operator()(std::uint32_t rankA, std::uint32_t rankB, std::uint32_t rankC) const override {
-		const std::uint32_t a = order_[rankA], b = order_[rankB], c = order_[rankC];
-		if ((vertices_[a].onEdges & vertices_[b].onEdges & vertices_[c].onEdges) != 0) {
+	void assign(const std::vector<LocalVertex>& vertices, int axis) {
+		vertices_ = &vertices;
+		axis_ = axis;
+		points_.clear();
+		for (const LocalVertex& v : vertices) {
+			const bool isExact = !arrangement_.isCurvePoint(v.id);
+			points_.emplace_back(arrangement_.coordinates(v.id), isExact, axis);
+		}
+	}
+
+	// Whether a comes before b in lexicographic order. Rounding is monotone: rounded coordinates
+	// that differ have the order of the exact ones.
+	bool isBefore(std::uint32_t a, std::uint32_t b) const {
+		if (points_[a].x.value != points_[b].x.value) {
+			return points_[a].x.value < points_[b].x.value;
+		}
+		const ExactPoint p = exact(a), q = exact(b);
+		const int order = compareCoordinate(p, q, nextCorner(axis_));
+		return order != 0 ? order < 0 : compareCoordinate(p, q, previousCorner(axis_)) < 0;
+	}
+
+	// Three points on one edge of the face are collinear by name.
+	int orientation(std::uint32_t a, std::uint32_t b, std::uint32_t c) const {
+		const std::vector<LocalVertex>& v = *vertices_;
+		if ((v[a].onEdges & v[b].onEdges & v[c].onEdges) != 0) {
 			return 0;
 		}
-		return orient2d(points_[a], points_[b], points_[c], axis_);
+		const int sign = orient2d(points_[a], points_[b], points_[c]);
+		return sign != kUnknownSign ? sign : orient2d(exact(a), exact(b), exact(c), axis_);
 	}
 
 private:
-	const std::vector<ExactPoint>& points_;
-	const std::vector<LocalVertex>& vertices_;
+	ExactPoint exact(std::uint32_t i) const {
+		return exactPoint(arrangement_, (*vertices_)[i].id);
+	}
+
+	const Arrangement& arrangement_;
+	const std::vector<LocalVertex>* vertices_ = nullptr;
+	int axis_ = 0;
+	std::vector<PlanarPoint> points_;
+};
+
+// The same for points given by rank.
+class FaceOrientation : public PlanarOrientation {
+public:
+	FaceOrientation(const PlanarPoints& points, const std::vector<std::uint32_t>& order)
+	    : points_(points), order_(order) {}
+
+	int operator()(std::uint32_t a, std::uint32_t b, std::uint32_t c) const override {
+		return points_.orientation(order_[a], order_[b], order_[c]);
+	}
+
+private:
+	const PlanarPoints& points_;
 	const std::vector<std::uint32_t>& order_;  // by rank
-	int axis_;
 };
 
 // Finds cut edges by their ends: few to search among begin with about the same lower end.
@@ -141,7 +183,7 @@ private:
 class FaceCutter {
 public:
 	FaceCutter(const Arrangement& arrangement, const CutEdgeFinder& cutEdges, ChunkPieces& out)
-	    : arrangement_(arrangement), cutEdges_(cutEdges), out_(out) {}
+	    : arrangement_(arrangement), cutEdges_(cutEdges), out_(out), points_(arrangement) {}
 
 	// False if the lines cannot all be part of one triangulation.
 	bool cut(const FaceLines& lines);
@@ -172,7 +214,7 @@ private:
 	std::array<std::vector<VertexId>, 3> side_;  // corner i, the points on edge i, corner i+1
 	std::array<const CutEdge*, 3> cutEdge_{};
 	std::vector<LocalVertex> vertices_;  // by id
-	std::vector<ExactPoint> points_;     // of the vertices
+	PlanarPoints points_;                // of the vertices
 	std::vector<std::uint32_t> order_;   // by rank: which of the vertices it is
 	std::vector<std::uint32_t> rankOfVertex_;
 	std::vector<FixedEdge> fixed_;
@@ -231,17 +273,11 @@ void FaceCutter::collectInner(const FaceLines& lines) {
 // Ranks the vertices in lexicographic order of the projected exact coordinates. False if two of
 // them lie in one place: their names differ, so an operand touches itself there.
 bool FaceCutter::sortVertices() {
-	points_.clear();
-	order_.clear();
-	for (const LocalVertex& v : vertices_) {
-		order_.push_back(static_cast<std::uint32_t>(points_.size()));
-		points_.push_back(exactPoint(arrangement_, v.id));
-	}
-	const int x = nextCorner(axis_);
-	const int y = previousCorner(axis_);
-	const auto before = [this, x, y](std::uint32_t a, std::uint32_t b) {
-		const int order = compareCoordinate(points_[a], points_[b], x);
-		return order != 0 ? order < 0 : compareCoordinate(points_[a], points_[b], y) < 0;
+	points_.assign(vertices_, axis_);
+	order_.resize(vertices_.size());
+	std::iota(order_.begin(), order_.end(), 0u);
+	const auto before = [this](std::uint32_t a, std::uint32_t b) {
+		return points_.isBefore(a, b);
 	};
 	std::sort(order_.begin(), order_.end(), before);
 	for (std::size_t i = 0; i + 1 < order_.size(); ++i) {
@@ -411,11 +447,11 @@ void FaceCutter::emit() {
 	for (std::size_t piece = 0; piece < triangles_.size(); ++piece) {
 		Triangle t{};
 		for (std::size_t i = 0; i < 3; ++i) {
-			const VertexId v = vertices_[order_[triangles_[piece][i]]].id;
-			t[i] = v;
-			if (std::find(corners_->begin(), corners_->end(), v) != corners_->end()) {
-				auto& links = arrangement_.isOnOther(v) ? out_.cornerLinks : out_.links;
-				links.push_back({regionOf_[piece], {v.value}});
+			const LocalVertex& v = vertices_[order_[triangles_[piece][i]]];
+			t[i] = v.id;
+			if (v.isCorner()) {
+				auto& links = arrangement_.isOnOther(v.id) ? out_.cornerLinks : out_.links;
+				links.push_back({regionOf_[piece], {v.id.value}});
 			}
 		}
 		out_.pieces.push_back(t);
@@ -437,7 +473,7 @@ bool FaceCutter::cut(const FaceLines& lines) {
 		return false;
 	}
 	fixEdges(lines);
-	const FaceOrientation orientation(points_, vertices_, order_, axis_);
+	const FaceOrientation orientation(points_, order_);
 	const auto pointCount = static_cast<std::uint32_t>(vertices_.size());
 	if (!sweep_.triangulate(pointCount, planarEdges_, orientation, triangles_)) {
 		return false;
