@@ -1,94 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The Index Boolean authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-//
-// Error bounds: a rounded sum errs by at most u|s|, a rounded product by u|p| plus an underflow
-// term. Of double-doubles what each operation rounds off is computed, by error-free transformations
-// (Dekker, Knuth): it is nothing at all where the true value fits, as it does for coordinates with
-// few bits. So points that lie in one plane of a construction are told so without big integers.
 #include "exact_number.h"
 
 #include <algorithm>
 #include <limits>
 
 namespace index_boolean {
-
-namespace {
-
-// a + b = sum + error, exactly.
-double twoSum(double a, double b, double& error) {
-	const double sum = a + b;
-	const double bPart = sum - a;
-	error = (a - (sum - bPart)) + (b - bPart);
-	return sum;
-}
-
-// a * b = product + error, exactly unless the error may be too small for a double.
-double twoProduct(double a, double b, double& error) {
-	const double product = a * b;
-	error = std::fma(a, b, -product);
-	return product;
-}
-
-// A bound on what of a * b is lost to underflow, the product's error included.
-double underflowOf(double a, double b) {
-	constexpr double kErrorIsNormal = 0x1p-900;
-	return std::fabs(a * b) > kErrorIsNormal || a == 0 || b == 0 ? 0 : kUnderflow;
-}
-
-}  // namespace
-
-int BoundedPair::sign() const {
-	if (high - bound > std::fabs(low)) {
-		return 1;
-	}
-	if (high + bound < -std::fabs(low)) {
-		return -1;
-	}
-	return isZero() ? 0 : kUnknownSign;
-}
-
-BoundedPair operator+(BoundedPair a, BoundedPair b) {
-	double highError, lowError, middleError, lost, low;
-	const double highSum = twoSum(a.high, b.high, highError);
-	const double lowSum = twoSum(a.low, b.low, lowError);
-	const double middle = twoSum(highError, lowSum, middleError);
-	const double high = twoSum(highSum, middle, low);
-	low = twoSum(low, lowError + middleError, lost);
-	const double roundedOff = std::fabs(lost) + kRoundoff * std::fabs(lowError + middleError);
-	return {high, low, (a.bound + b.bound + roundedOff) * Bounded::kGrow};
-}
-
-BoundedPair operator-(BoundedPair a, BoundedPair b) {
-	return a + BoundedPair(-b.high, -b.low, b.bound);
-}
-
-BoundedPair operator*(BoundedPair a, BoundedPair b) {
-	if (a.isDouble() && b.isDouble()) {
-		double error;
-		const double product = twoProduct(a.high, b.high, error);
-		return {product, error, underflowOf(a.high, b.high)};
-	}
-	if (a.isZero() || b.isZero()) {
-		return BoundedPair(0);
-	}
-	double productError, firstError, secondError, crossError, lowError, low;
-	const double product = twoProduct(a.high, b.high, productError);
-	const double first = twoProduct(a.high, b.low, firstError);
-	const double second = twoProduct(a.low, b.high, secondError);
-	const double cross = twoSum(first, second, crossError);
-	const double rest = twoSum(cross, productError, lowError);
-	const double high = twoSum(product, rest, low);
-	const double roundedOff = std::fabs(firstError) + std::fabs(secondError) +
-	                          std::fabs(crossError) + std::fabs(lowError) +
-	                          std::fabs(a.low * b.low);
-	const double underflow = underflowOf(a.high, b.high) + underflowOf(a.high, b.low) +
-	                         underflowOf(a.low, b.high) + underflowOf(a.low, b.low);
-	const double sizeA = std::fabs(a.high) + std::fabs(a.low);
-	const double sizeB = std::fabs(b.high) + std::fabs(b.low);
-	const double carried = sizeA * b.bound + a.bound * (sizeB + b.bound);
-	const double carriedUnderflow = a.bound == 0 && b.bound == 0 ? 0 : kUnderflow;
-	return {high, low, (carried + roundedOff) * Bounded::kGrow + underflow + carriedUnderflow};
-}
 
 BoundedPair operator/(BoundedPair a, BoundedPair b) {
 	const double divisor = std::fabs(b.high) - std::fabs(b.low) - b.bound;

@@ -6,6 +6,10 @@
 // (mantissa * 2^exponent, exact and of any size).
 // Guarantee: sign() never errs; the bounded types answer kUnknownSign where their bound does not
 // tell. Overflow ends as an infinity or NaN in value or bound, which is "unknown" too.
+// Error bounds: a rounded sum errs by at most u|s|, a rounded product by u|p| plus an underflow
+// term. Of double-doubles what each operation rounds off is computed, by error-free transformations
+// (Dekker, Knuth): it is nothing at all where the true value fits, as it does for coordinates with
+// few bits. So points that lie in one plane of a construction are told so without big integers.
 #pragma once
 
 #include "sign_counts.h"
@@ -75,6 +79,27 @@ inline Bounded operator*(Bounded a, Bounded b) {
 	return {product, bound * Bounded::kGrow + kUnderflow};
 }
 
+// a + b = sum + error, exactly.
+inline double twoSum(double a, double b, double& error) {
+	const double sum = a + b;
+	const double bPart = sum - a;
+	error = (a - (sum - bPart)) + (b - bPart);
+	return sum;
+}
+
+// a * b = product + error, exactly unless the error may be too small for a double.
+inline double twoProduct(double a, double b, double& error) {
+	const double product = a * b;
+	error = std::fma(a, b, -product);
+	return product;
+}
+
+// A bound on what of a * b is lost to underflow, the product's error included.
+inline double underflowOf(double a, double b) {
+	constexpr double kErrorIsNormal = 0x1p-900;
+	return std::fabs(a * b) > kErrorIsNormal || a == 0 || b == 0 ? 0 : kUnderflow;
+}
+
 // An unevaluated sum high + low (double-double) with |true - (high + low)| <= bound.
 struct BoundedPair {
 	double high;
@@ -97,9 +122,59 @@ struct BoundedPair {
 	}
 };
 
-BoundedPair operator+(BoundedPair a, BoundedPair b);
-BoundedPair operator-(BoundedPair a, BoundedPair b);
-BoundedPair operator*(BoundedPair a, BoundedPair b);
+inline int BoundedPair::sign() const {
+	if (high - bound > std::fabs(low)) {
+		return 1;
+	}
+	if (high + bound < -std::fabs(low)) {
+		return -1;
+	}
+	return isZero() ? 0 : kUnknownSign;
+}
+
+inline BoundedPair operator+(BoundedPair a, BoundedPair b) {
+	double highError, lowError, middleError, lost, low;
+	const double highSum = twoSum(a.high, b.high, highError);
+	const double lowSum = twoSum(a.low, b.low, lowError);
+	const double middle = twoSum(highError, lowSum, middleError);
+	const double high = twoSum(highSum, middle, low);
+	low = twoSum(low, lowError + middleError, lost);
+	const double roundedOff = std::fabs(lost) + kRoundoff * std::fabs(lowError + middleError);
+	return {high, low, (a.bound + b.bound + roundedOff) * Bounded::kGrow};
+}
+
+inline BoundedPair operator-(BoundedPair a, BoundedPair b) {
+	return a + BoundedPair(-b.high, -b.low, b.bound);
+}
+
+inline BoundedPair operator*(BoundedPair a, BoundedPair b) {
+	if (a.isDouble() && b.isDouble()) {
+		double error;
+		const double product = twoProduct(a.high, b.high, error);
+		return {product, error, underflowOf(a.high, b.high)};
+	}
+	if (a.isZero() || b.isZero()) {
+		return BoundedPair(0);
+	}
+	double productError, firstError, secondError, crossError, lowError, low;
+	const double product = twoProduct(a.high, b.high, productError);
+	const double first = twoProduct(a.high, b.low, firstError);
+	const double second = twoProduct(a.low, b.high, secondError);
+	const double cross = twoSum(first, second, crossError);
+	const double rest = twoSum(cross, productError, lowError);
+	const double high = twoSum(product, rest, low);
+	const double roundedOff = std::fabs(firstError) + std::fabs(secondError) +
+	                          std::fabs(crossError) + std::fabs(lowError) +
+	                          std::fabs(a.low * b.low);
+	const double underflow = underflowOf(a.high, b.high) + underflowOf(a.high, b.low) +
+	                         underflowOf(a.low, b.high) + underflowOf(a.low, b.low);
+	const double sizeA = std::fabs(a.high) + std::fabs(a.low);
+	const double sizeB = std::fabs(b.high) + std::fabs(b.low);
+	const double carried = sizeA * b.bound + a.bound * (sizeB + b.bound);
+	const double carriedUnderflow = a.bound == 0 && b.bound == 0 ? 0 : kUnderflow;
+	return {high, low, (carried + roundedOff) * Bounded::kGrow + underflow + carriedUnderflow};
+}
+
 // The quotient; its bound is infinite where the divisor may be zero.
 BoundedPair operator/(BoundedPair a, BoundedPair b);
 
@@ -140,20 +215,27 @@ struct NumberTag {
 	using Type = Number;
 };
 
-// The sign of a formula, by the cheapest number type that can tell. `formula(NumberTag<N>{})`
-// returns the sign as N sees it, kUnknownSign included; `predicate` is what is counted.
+// The sign of a formula (see decideSign) that doubles leave in doubt. Apart, so that it takes no registers from what is asked
+// millions of times.
 template <class Formula>
-int decideSign(Predicate predicate, Formula&& formula) {
-	if (const int sign = formula(NumberTag<Bounded>{}); sign != kUnknownSign) {
-		countSign(predicate, DecidedBy::Double);
-		return sign;
-	}
+[[gnu::noinline]] int decideInDoubt(Predicate predicate, const Formula& formula) {
 	if (const int sign = formula(NumberTag<BoundedPair>{}); sign != kUnknownSign) {
 		countSign(predicate, DecidedBy::DoubleDouble);
 		return sign;
 	}
 	countSign(predicate, DecidedBy::Integers);
 	return formula(NumberTag<Dyadic>{});
+}
+
+// The sign of a formula, by the cheapest number type that can tell. `formula(NumberTag<N>{})`
+// returns the sign as N sees it, kUnknownSign included; `predicate` is what is counted.
+template <class Formula>
+int decideSign(Predicate predicate, const Formula& formula) {
+	if (const int sign = formula(NumberTag<Bounded>{}); sign != kUnknownSign) {
+		countSign(predicate, DecidedBy::Double);
+		return sign;
+	}
+	return decideInDoubt(predicate, formula);
 }
 
 // The product of two signs, either of which may be unknown.
