@@ -8,12 +8,15 @@
 #include "generate_index_boolean_curves.h"
 #include "generate_index_boolean_split.h"
 
+#include <vcg_ext/huge_pages.h>
+
 #include <stdexcept>
 
 namespace index_boolean {
 
 FilterOutput runFilter(FilterId filter, const ParameterValues& values, MeshDocument& document,
                        HostCallback* callback) {
+	const PageReuse pages;
 	switch (filter) {
 	case FilterId::GenerateIndexBoolean:
 		return generateIndexBoolean(values, document, callback);

@@ -91,6 +91,12 @@ Status readLayers(const std::array<MeshModel*, 2>& layers, Progress& progress, O
 		Status status;
 		Monitor monitor = progress.nextPhase(kReadShare);
 		monitor.beginStage("reading layers", 0, 1);
+		const auto both = [&layers](int CMeshO::*count) {
+			return static_cast<std::size_t>(layers[0]->cm.*count) +
+			       static_cast<std::size_t>(layers[1]->cm.*count);
+		};
+		out.arrays.points.reserve(both(&CMeshO::vn));
+		out.arrays.triangles.reserve(both(&CMeshO::fn));
 		for (std::size_t k = 0; k < layers.size() && status.ok(); ++k) {
 			const CMeshO& mesh = layers[k]->cm;
 			status = appendOperand(mesh, mesh.Tr, static_cast<int>(k), monitor, out.arrays,
