@@ -10,6 +10,7 @@
 #include "weld.h"
 
 #include <algorithm>
+#include <cstring>
 
 namespace index_boolean {
 
@@ -171,17 +172,14 @@ void Collector::visitKeptPieces(Visit&& visit) const {
 	}
 }
 
-// The vertices on the other operand that kept faces use, in the order of their ids: input vertices,
-// which are few, sorted; points of the curve marked.
+// The vertices on the other operand that kept faces use, in the order of their ids.
 std::vector<VertexId> Collector::keptOnOther() const {
-	std::vector<VertexId> used;
-	std::vector<std::uint8_t> isUsed(arrangement_.curve.pointCount(), 0);
+	HugeVector<std::uint8_t> isUsed;
+	isUsed.assign(arrangement_.mesh.points.size() + arrangement_.curve.pointCount(), 0);
 	const auto use = [&](const Triangle& t) {
 		for (const VertexId v : t) {
-			if (arrangement_.isCurvePoint(v)) {
-				at(isUsed, arrangement_.pointOf(v)) = 1;
-			} else if (arrangement_.isOnOther(v)) {
-				used.push_back(v);
+			if (arrangement_.isOnOther(v)) {
+				at(isUsed, v) = 1;
 			}
 		}
 	};
@@ -191,12 +189,15 @@ std::vector<VertexId> Collector::keptOnOther() const {
 			use(arrangement_.mesh.triangles[f]);
 		}
 	}
-	std::sort(used.begin(), used.end());
-	used.erase(std::unique(used.begin(), used.end()), used.end());
-	for (std::uint32_t p = 0; p < isUsed.size(); ++p) {
-		if (isUsed[p] != 0) {
-			used.push_back(arrangement_.vertexOf({p}));
-		}
+	std::vector<VertexId> used;
+	const std::uint8_t* const begin = isUsed.data();
+	const std::uint8_t* const end = begin + isUsed.size();
+	const auto next = [end](const std::uint8_t* from) {  // memchr finds a few among many at once
+		const void* found = std::memchr(from, 1, static_cast<std::size_t>(end - from));
+		return found != nullptr ? static_cast<const std::uint8_t*>(found) : end;
+	};
+	for (const std::uint8_t* mark = next(begin); mark != end; mark = next(mark + 1)) {
+		used.push_back(makeId<VertexTag>(static_cast<std::size_t>(mark - begin)));
 	}
 	return used;
 }
