@@ -419,7 +419,8 @@ CommandLine parse(int argc, char** argv) {
 	    ->check(CLI::PositiveNumber);
 	app.add_option("--warmups", out.warmups, "Runs before those")->check(CLI::NonNegativeNumber);
 	app.add_option("--save-arrays", out.saveArrays,
-	               "A folder for the operands as placed: points_0.f64, triangles_0.u32, ...");
+	               "A folder for the operands as placed: points_0.f64, triangles_0.u32, ...; of small "
+	               "pairs, a folder in it for each");
 	try {
 		app.parse(argc, argv);
 		out.split = out.split || out.terrain[0] > 0;
@@ -469,18 +470,24 @@ Operands makeSmallPair(std::uint32_t number) {
 Status measureSmallPairs(const CommandLine& commandLine, ordered_json& out) {
 	Options options;
 	options.threads = commandLine.threads;
-	std::vector<double> seconds;
+	std::vector<double> seconds, withoutAudit;
 	for (std::uint32_t i = 0; i < commandLine.smallPairs; ++i) {
 		const Operands pair = makeSmallPair(i);
+		if (!commandLine.saveArrays.empty()) {
+			saveArrays(pair, std::filesystem::path(commandLine.saveArrays) / std::to_string(i));
+		}
 		runOnce(pair, options, {commandLine.operation});
 		const Outcome outcome = runOnce(pair, options, {commandLine.operation});
 		if (!outcome.status.ok()) {
 			return outcome.status;
 		}
 		seconds.push_back(outcome.total);
+		withoutAudit.push_back(outcome.total - outcome.auditSeconds);
+		out["volumes"].push_back(outcome.audit.blocks[0].volume);
 	}
 	out["pairs"] = seconds.size();
 	out["seconds"] = median(seconds);
+	out["seconds_without_audit"] = median(withoutAudit);
 	out["fastest"] = *std::min_element(seconds.begin(), seconds.end());
 	out["slowest"] = *std::max_element(seconds.begin(), seconds.end());
 	return {};

@@ -271,10 +271,13 @@ class IndexBooleanFilter(MeshLab):
     """This project's filter: all four blocks as layers, in one call."""
 
     plugin = ""
+    loaded = False  # a second time it would be refused
 
     def __init__(self, *args):
         super().__init__(*args)
-        self.library.load_plugin(self.plugin)
+        if not IndexBooleanFilter.loaded:
+            self.library.load_plugin(self.plugin)
+            IndexBooleanFilter.loaded = True
 
     def run(self):
         result = self.document.apply_filter("generate_index_boolean", first_mesh=0, second_mesh=1)

@@ -60,6 +60,8 @@ def test_stagesAddUpToTheTotal():
     assert all(seconds >= 0 for seconds in one["seconds_per_stage"].values())
     assert list(one["seconds_per_stage"])[-3:] == ["block union", "audit", "free"]
     assert 0.9 * one["seconds"] < sum(one["seconds_per_stage"].values()) <= one["seconds"]
+    audit = one["seconds_per_stage"]["audit"]
+    assert one["seconds_without_audit"] == pytest.approx(one["seconds"] - audit)
 
 
 def test_sampleMeshesHaveTheCataloguedVolumes():
@@ -120,6 +122,18 @@ def test_comparisonWritesItsTable(tmp_path):
     assert manifold["volume"] == pytest.approx(core["blocks"]["union"]["volume"], rel=1e-9)
     assert manifold["closed"] and len(manifold["seconds_each_run"]) == 1
     assert "| Manifold " in (tmp_path / "compare.md").read_text()
+
+
+def test_smallPairsAreAllRightBesideAPeer():
+    command = [
+        sys.executable, ROOT / "bench/small_pairs.py", "--bench", BENCH, "--pairs", "12",
+        "--peers", "Manifold",
+    ]
+    done = subprocess.run(command, check=True, capture_output=True, text=True, timeout=60)
+    rows = [[cell.strip() for cell in line.strip("|").split("|")]
+            for line in done.stdout.splitlines()]
+    assert [row[0] for row in rows[2:]] == ["core", "core, with its audit", "Manifold"]
+    assert rows[-1][3:] == ["0", "0"], "no wrong volume, each with a result"
 
 
 def split_case(tmp_path, peers):
