@@ -617,7 +617,7 @@ Status refuseFace(const Arrangement& arrangement, FaceId face) {
 }  // namespace
 
 Status retriangulate(Arrangement& arrangement, Monitor& monitor) {
-	constexpr std::size_t kGrain = 256;
+	constexpr std::size_t kGrain = 48;  // faces; less than what waking a thread costs
 	const std::vector<FaceId>& faces = arrangement.curve.touchedFaces;
 	const CutEdgeFinder cutEdges(arrangement.curve.cutEdges, arrangement.mesh.points.size());
 	std::vector<ChunkPieces> chunks(chunkCount(faces.size(), kGrain));

@@ -133,7 +133,7 @@ Status Welder::numberPoints() {
 
 Status Welder::roundPoints() {
 	curve_.rounded.resize(curve_.pointCount());
-	return parallelFor(curve_.pointCount(), 1024, arrangement_.options.threads, monitor_,
+	return parallelFor(curve_.pointCount(), 128, arrangement_.options.threads, monitor_,
 	                   [&](std::size_t begin, std::size_t end) {
 		                   for (std::size_t p = begin; p < end; ++p) {
 			                   ExactPoint point = exact(arrangement_.vertexOf(makeId<PointTag>(p)));
