@@ -18,12 +18,14 @@
 #include <omp.h>
 
 #include <algorithm>
+#include <atomic>
 #include <chrono>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
 #include <numeric>
 #include <optional>
+#include <thread>
 
 namespace {
 
@@ -45,6 +47,7 @@ struct CommandLine {
 	std::uint32_t gridBoxes = 0;   // squares along a side; 0: not asked
 	std::uint32_t plateHoles = 0;  // prisms through the plate; 0: not asked
 	std::uint32_t smallPairs = 0;  // how many; 0: not asked
+	std::uint32_t cancels = 0;     // how many; 0: not asked
 	bool boxes = false;
 	std::string placement = "none";
 	std::array<std::vector<double>, 2> transforms;  // 12 or 16 numbers, or none
@@ -159,8 +162,7 @@ struct Outcome {
 
 // The stages after the arrangement. \return the status of the first that failed
 Status readBlocks(const Arrangement& arrangement, const std::vector<Operation>& operations,
-                  StopWatch& stage, Outcome& out) {
-	Monitor monitor;
+                  Monitor& monitor, StopWatch& stage, Outcome& out) {
 	out.blocks.resize(operations.size());
 	for (std::size_t i = 0; i < operations.size(); ++i) {
 		const Status status = extractBlock(arrangement, operations[i], monitor, out.blocks[i]);
@@ -176,8 +178,7 @@ Status readBlocks(const Arrangement& arrangement, const std::vector<Operation>& 
 }
 
 // The stages after an arrangement for splitting: all parts, their meshes, and the audit.
-Status readParts(const Arrangement& arrangement, StopWatch& stage, Outcome& out) {
-	Monitor monitor;
+Status readParts(const Arrangement& arrangement, Monitor& monitor, StopWatch& stage, Outcome& out) {
 	Split parts;
 	Status status = split(arrangement, monitor, parts);
 	stage.lap();
@@ -207,10 +208,9 @@ Status readParts(const Arrangement& arrangement, StopWatch& stage, Outcome& out)
 
 // No operations: the operands are split.
 Outcome runOnce(const Operands& operands, const Options& options,
-                const std::vector<Operation>& operations) {
+                const std::vector<Operation>& operations, Monitor& monitor) {
 	Outcome outcome;
 	Arrangement arrangement;
-	Monitor monitor;
 	StopWatch total, stage;
 	std::optional<PageReuse> pages(std::in_place);
 	MeshArrays input;
@@ -228,8 +228,9 @@ Outcome runOnce(const Operands& operands, const Options& options,
 		for (const StageTime& time : arrangement.stageTimes) {
 			outcome.stages.emplace_back(time.stage, time.seconds);
 		}
-		outcome.status = operations.empty() ? readParts(arrangement, stage, outcome)
-		                                    : readBlocks(arrangement, operations, stage, outcome);
+		outcome.status = operations.empty()
+		                     ? readParts(arrangement, monitor, stage, outcome)
+		                     : readBlocks(arrangement, operations, monitor, stage, outcome);
 	}
 	outcome.loops = arrangement.loopCounts;
 	arrangement = {};
@@ -309,7 +310,8 @@ Status measure(const CommandLine& commandLine, const Operands& operands,
 	resetPeakMemory();
 	for (int run = -commandLine.warmups; run < commandLine.runs; ++run) {
 		takeSignCounts();
-		const Outcome outcome = runOnce(operands, options, operations);
+		Monitor unheard;
+		const Outcome outcome = runOnce(operands, options, operations, unheard);
 		if (const ordered_json signs = describeSigns(); !signs.empty()) {
 			out["signs"] = signs;
 		}
@@ -418,9 +420,13 @@ CommandLine parse(int argc, char** argv) {
 	app.add_option("--runs", out.runs, "Timed runs, of which the median is taken")
 	    ->check(CLI::PositiveNumber);
 	app.add_option("--warmups", out.warmups, "Runs before those")->check(CLI::NonNegativeNumber);
-	app.add_option("--save-arrays", out.saveArrays,
-	               "A folder for the operands as placed: points_0.f64, triangles_0.u32, ...; of small "
-	               "pairs, a folder in it for each");
+	app.add_option("--cancels", out.cancels,
+	               "Times nothing but how long it takes to cancel, at this many moments of a run")
+	    ->check(CLI::PositiveNumber);
+	app.add_option(
+	    "--save-arrays", out.saveArrays,
+	    "A folder for the operands as placed: points_0.f64, triangles_0.u32, ...; of small "
+	    "pairs, a folder in it for each");
 	try {
 		app.parse(argc, argv);
 		out.split = out.split || out.terrain[0] > 0;
@@ -466,6 +472,46 @@ Operands makeSmallPair(std::uint32_t number) {
 	return pair;
 }
 
+// Cancels a run at moments spread over the time that a whole one takes. Timed is what a user waits
+// from the wish to the return, with all memory given back.
+Status measureCancel(const CommandLine& commandLine, const Operands& operands, ordered_json& out) {
+	Options options;
+	options.threads = commandLine.threads;
+	const std::vector<Operation> operations =
+	    commandLine.split ? std::vector<Operation>{} : kFourBlocks;
+	Monitor unheard;
+	StopWatch whole;
+	if (const Outcome outcome = runOnce(operands, options, operations, unheard);
+	    !outcome.status.ok()) {
+		return outcome.status;
+	}
+	const double seconds = whole.lap();
+	std::vector<double> waits;
+	for (std::uint32_t moment = 0; moment < commandLine.cancels; ++moment) {
+		std::atomic<bool> wanted{false};
+		StopWatch watch;
+		std::thread user([&] {
+			std::this_thread::sleep_for(
+			    std::chrono::duration<double>(seconds * (moment + 1) / (commandLine.cancels + 1)));
+			watch.lap();
+			wanted = true;
+		});
+		Monitor monitor([&wanted](double, const char*) { return !wanted; });
+		const Status status = runOnce(operands, options, operations, monitor).status;
+		user.join();
+		if (status.code == StatusCode::Cancelled) {  // else it was done before
+			waits.push_back(watch.lap());
+		}
+	}
+	out["moments"] = commandLine.cancels;
+	out["cancelled"] = waits.size();
+	if (!waits.empty()) {
+		out["seconds"] = median(waits);
+		out["slowest"] = *std::max_element(waits.begin(), waits.end());
+	}
+	return {};
+}
+
 // Each pair once to warm up, then again, timed. \return a refusal's status, else Ok
 Status measureSmallPairs(const CommandLine& commandLine, ordered_json& out) {
 	Options options;
@@ -476,8 +522,9 @@ Status measureSmallPairs(const CommandLine& commandLine, ordered_json& out) {
 		if (!commandLine.saveArrays.empty()) {
 			saveArrays(pair, std::filesystem::path(commandLine.saveArrays) / std::to_string(i));
 		}
-		runOnce(pair, options, {commandLine.operation});
-		const Outcome outcome = runOnce(pair, options, {commandLine.operation});
+		Monitor unheard;
+		runOnce(pair, options, {commandLine.operation}, unheard);
+		const Outcome outcome = runOnce(pair, options, {commandLine.operation}, unheard);
 		if (!outcome.status.ok()) {
 			return outcome.status;
 		}
@@ -518,6 +565,8 @@ int run(const CommandLine& commandLine) {
 	Status status;
 	if (commandLine.smallPairs > 0) {
 		status = measureSmallPairs(commandLine, out["small_pairs"]);
+	} else if (commandLine.cancels > 0) {
+		status = measureCancel(commandLine, operands, out["cancel"]);
 	} else if (commandLine.split) {
 		status = measure(commandLine, operands, {}, out["split"]);
 	} else {

@@ -215,8 +215,8 @@ struct NumberTag {
 	using Type = Number;
 };
 
-// The sign of a formula (see decideSign) that doubles leave in doubt. Apart, so that it takes no registers from what is asked
-// millions of times.
+// The sign of a formula (see decideSign) that doubles leave in doubt. Apart, so that it takes no
+// registers from what is asked millions of times.
 template <class Formula>
 [[gnu::noinline]] int decideInDoubt(Predicate predicate, const Formula& formula) {
 	if (const int sign = formula(NumberTag<BoundedPair>{}); sign != kUnknownSign) {

@@ -44,8 +44,7 @@ void unmap(Block block) {
 // New memory that begins at a huge page's border. \param size of whole huge pages
 Block map(std::size_t size) {
 	const std::size_t room = size + kHugePage;
-	void* memory =
-	    mmap(nullptr, room, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+	void* memory = mmap(nullptr, room, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
 	if (memory == MAP_FAILED) {
 		throw std::bad_alloc();
 	}
@@ -63,11 +62,11 @@ public:
 	Block take(std::size_t size) {
 		{
 			const std::lock_guard<std::mutex> lock(mutex_);
-			const auto best = std::min_element(
-			    blocks_.begin(), blocks_.end(), [size](const Block& a, const Block& b) {
-				    // Those that are too small come last.
-				    return (a.size - size) < (b.size - size);
-			    });
+			const auto best = std::min_element(blocks_.begin(), blocks_.end(),
+			                                   [size](const Block& a, const Block& b) {
+				                                   // Those that are too small come last.
+				                                   return (a.size - size) < (b.size - size);
+			                                   });
 			if (best != blocks_.end() && best->size >= size) {
 				const Block taken{best->begin, size};
 				best->begin += size;
@@ -147,7 +146,8 @@ PageReuse::~PageReuse() { keptBlocks().removeUser(); }
 void adviseHugePages(void* memory, std::size_t bytes) {
 	if (isLarge(bytes)) {
 		const std::uintptr_t begin = reinterpret_cast<std::uintptr_t>(memory) & ~(kHugePage - 1);
-		const std::size_t size = wholePages(reinterpret_cast<std::uintptr_t>(memory) + bytes - begin);
+		const std::size_t size =
+		    wholePages(reinterpret_cast<std::uintptr_t>(memory) + bytes - begin);
 		madvise(reinterpret_cast<void*>(begin), size, MADV_HUGEPAGE);
 	}
 }

@@ -319,7 +319,7 @@ VolumeSum sixVolumes(const Point& corner, const RoundedNormal& normal, const Poi
 
 // What one pass over an operand's faces tells.
 struct FacesSeen {
-	VolumeSum sixVolumes;                // signed
+	VolumeSum sixVolumes;                 // signed
 	std::vector<std::uint32_t> zeroArea;  // the faces without area, ascending
 };
 
@@ -354,11 +354,11 @@ Status lookAtFaces(const Arrangement& arrangement, Monitor& monitor,
 		const std::size_t count = mesh.faceBegin[operand + 1] - first;
 		const Point& reference = at(mesh.points, mesh.triangles[first][0]);
 		std::vector<FacesSeen> parts(chunkCount(count, kGrain));
-		status = parallelForChunks(
-		    count, kGrain, arrangement.options.threads, monitor,
-		    [&](std::size_t chunk, std::size_t begin, std::size_t end) {
-			    parts[chunk] = lookAtFaces(mesh, first + begin, first + end, reference);
-		    });
+		status = parallelForChunks(count, kGrain, arrangement.options.threads, monitor,
+		                           [&](std::size_t chunk, std::size_t begin, std::size_t end) {
+			                           parts[chunk] =
+			                               lookAtFaces(mesh, first + begin, first + end, reference);
+		                           });
 		VolumeSum& sum = out[operand].sixVolumes;
 		std::vector<std::uint32_t>& zeroArea = out[operand].zeroArea;
 		for (const FacesSeen& part : parts) {

@@ -8,6 +8,8 @@
 // point that no edge reaches from the left, at the point of the chain that was added last.
 #include "planar_sweep.h"
 
+#include "parallel.h"
+
 #include <boost/intrusive/set.hpp>
 
 #include <algorithm>
@@ -44,7 +46,7 @@ public:
 	~Line() { active_.clear(); }
 
 	bool run(std::uint32_t pointCount, const std::vector<PlanarEdge>& edges,
-	         const PlanarOrientation& orientation,
+	         const PlanarOrientation& orientation, Monitor& monitor,
 	         std::vector<std::array<std::uint32_t, 3>>& triangles);
 
 private:
@@ -79,14 +81,16 @@ private:
 };
 
 bool PlanarSweep::Line::run(std::uint32_t pointCount, const std::vector<PlanarEdge>& edges,
-                              const PlanarOrientation& orientation,
-                              std::vector<std::array<std::uint32_t, 3>>& triangles) {
+                            const PlanarOrientation& orientation, Monitor& monitor,
+                            std::vector<std::array<std::uint32_t, 3>>& triangles) {
 	orientation_ = &orientation;
 	triangles_ = &triangles;
 	triangles.clear();
 	start(pointCount, edges);
+	constexpr std::uint32_t kPointsAPoll = 4096;
 	for (std::uint32_t point = 0; point < pointCount; ++point) {
-		if (!visit(point)) {
+		const bool isStopped = point % kPointsAPoll == kPointsAPoll - 1 && pollCancelled(monitor);
+		if (isStopped || !visit(point)) {
 			return false;
 		}
 	}
@@ -161,8 +165,8 @@ bool PlanarSweep::Line::findInterval(std::uint32_t point, ActiveEdges::iterator&
 // Takes out the edges that end at the point, from the lowest, `it`, upwards, and fills the
 // intervals between them. Leaves `it` above them; the chain above the highest goes to upperChain if
 // there is an interval above it. False if the point does not see what it should.
-bool PlanarSweep::Line::closeIncoming(std::uint32_t point, ActiveEdges::iterator& it, Chain& upperChain,
-                          bool& hasUpper) {
+bool PlanarSweep::Line::closeIncoming(std::uint32_t point, ActiveEdges::iterator& it,
+                                      Chain& upperChain, bool& hasUpper) {
 	while (it != active_.end() && it->edge.right == point) {
 		upperChain = it->chain;
 		it = active_.erase(it);
@@ -225,7 +229,8 @@ bool PlanarSweep::Line::visit(std::uint32_t point) {
 	return true;
 }
 
-std::uint32_t PlanarSweep::Line::newLink(std::uint32_t point, std::uint32_t below, std::uint32_t above) {
+std::uint32_t PlanarSweep::Line::newLink(std::uint32_t point, std::uint32_t below,
+                                         std::uint32_t above) {
 	links_.push_back({point, below, above});
 	return static_cast<std::uint32_t>(links_.size() - 1);
 }
@@ -304,9 +309,9 @@ PlanarSweep::PlanarSweep() : line_(std::make_unique<Line>()) {}
 PlanarSweep::~PlanarSweep() = default;
 
 bool PlanarSweep::triangulate(std::uint32_t pointCount, const std::vector<PlanarEdge>& edges,
-                              const PlanarOrientation& orientation,
+                              const PlanarOrientation& orientation, Monitor& monitor,
                               std::vector<std::array<std::uint32_t, 3>>& triangles) {
-	return line_->run(pointCount, edges, orientation, triangles);
+	return line_->run(pointCount, edges, orientation, monitor, triangles);
 }
 
 }  // namespace index_boolean

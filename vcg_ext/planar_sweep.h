@@ -9,6 +9,8 @@
 // from polygons to any set of edges.
 #pragma once
 
+#include "monitor.h"
+
 #include <array>
 #include <cstdint>
 #include <memory>
@@ -40,10 +42,11 @@ public:
 	//                    inside an edge
 	// \param orientation the exact orientation of three points
 	// \param triangles   replaced: counter-clockwise triples of ranks
-	// \return false if the input breaks the above, as far as noticed; triangles are then
-	// meaningless
+	// \param monitor     asked now and then, as a polygon may have any number of points
+	// \return false if the run is cancelled, or if the input breaks the above, as far as noticed;
+	// triangles are then meaningless
 	bool triangulate(std::uint32_t pointCount, const std::vector<PlanarEdge>& edges,
-	                 const PlanarOrientation& orientation,
+	                 const PlanarOrientation& orientation, Monitor& monitor,
 	                 std::vector<std::array<std::uint32_t, 3>>& triangles);
 
 private:

@@ -119,9 +119,7 @@ public:
 	}
 
 private:
-	ExactPoint exact(std::uint32_t i) const {
-		return exactPoint(arrangement_, (*vertices_)[i].id);
-	}
+	ExactPoint exact(std::uint32_t i) const { return exactPoint(arrangement_, (*vertices_)[i].id); }
 
 	const Arrangement& arrangement_;
 	const std::vector<LocalVertex>* vertices_ = nullptr;
@@ -182,13 +180,18 @@ private:
 // Retriangulates one face after another, with reused buffers.
 class FaceCutter {
 public:
-	FaceCutter(const Arrangement& arrangement, const CutEdgeFinder& cutEdges, ChunkPieces& out)
-	    : arrangement_(arrangement), cutEdges_(cutEdges), out_(out), points_(arrangement) {}
+	FaceCutter(const Arrangement& arrangement, const CutEdgeFinder& cutEdges, Monitor& monitor,
+	           ChunkPieces& out)
+	    : arrangement_(arrangement), cutEdges_(cutEdges), monitor_(monitor), out_(out),
+	      points_(arrangement) {}
 
-	// False if the lines cannot all be part of one triangulation.
+	// False if the lines cannot all be part of one triangulation, or if the run is cancelled.
 	bool cut(const FaceLines& lines);
 
 private:
+	// For between the steps of a face that takes long.
+	bool isStopped() const { return vertices_.size() > kMany && pollCancelled(monitor_); }
+
 	void collectBorder();
 	void collectInner(const FaceLines& lines);
 	bool sortVertices();
@@ -203,8 +206,11 @@ private:
 	void recordSides();
 	void emit();
 
+	static constexpr std::size_t kMany = 4096;
+
 	const Arrangement& arrangement_;
 	const CutEdgeFinder& cutEdges_;
+	Monitor& monitor_;
 	ChunkPieces& out_;
 
 	FaceId face_{};
@@ -276,9 +282,7 @@ bool FaceCutter::sortVertices() {
 	points_.assign(vertices_, axis_);
 	order_.resize(vertices_.size());
 	std::iota(order_.begin(), order_.end(), 0u);
-	const auto before = [this](std::uint32_t a, std::uint32_t b) {
-		return points_.isBefore(a, b);
-	};
+	const auto before = [this](std::uint32_t a, std::uint32_t b) { return points_.isBefore(a, b); };
 	std::sort(order_.begin(), order_.end(), before);
 	for (std::size_t i = 0; i + 1 < order_.size(); ++i) {
 		if (!before(order_[i], order_[i + 1])) {
@@ -469,13 +473,13 @@ bool FaceCutter::cut(const FaceLines& lines) {
 	collectBorder();
 	const std::size_t borderCount = vertices_.size();
 	collectInner(lines);
-	if (!sortVertices()) {
+	if (isStopped() || !sortVertices() || isStopped()) {
 		return false;
 	}
 	fixEdges(lines);
 	const FaceOrientation orientation(points_, order_);
 	const auto pointCount = static_cast<std::uint32_t>(vertices_.size());
-	if (!sweep_.triangulate(pointCount, planarEdges_, orientation, triangles_)) {
+	if (!sweep_.triangulate(pointCount, planarEdges_, orientation, monitor_, triangles_)) {
 		return false;
 	}
 	// Euler: a polygon with b border points and n points in all has 2n - b - 2 triangles.
@@ -488,7 +492,7 @@ bool FaceCutter::cut(const FaceLines& lines) {
 		}
 	}
 	collectHalfEdges();
-	if (!unitePieces()) {
+	if (isStopped() || !unitePieces()) {
 		return false;
 	}
 	numberRegions();
@@ -624,7 +628,7 @@ Status retriangulate(Arrangement& arrangement, Monitor& monitor) {
 	const Status status = parallelForChunks(
 	    faces.size(), kGrain, arrangement.options.threads, monitor,
 	    [&](std::size_t chunk, std::size_t begin, std::size_t end) {
-		    FaceCutter cutter(arrangement, cutEdges, chunks[chunk]);
+		    FaceCutter cutter(arrangement, cutEdges, monitor, chunks[chunk]);
 		    for (std::size_t i = begin; i < end && chunks[chunk].failed == FaceId::none(); ++i) {
 			    if (!cutter.cut(linesOf(arrangement.curve, faces[i]))) {
 				    chunks[chunk].failed = faces[i];

@@ -75,8 +75,8 @@ private:
 	Monitor& monitor_;
 	SubSurfaces& out_;
 	const SurfaceComplex& complex_;
-	std::size_t vertexCount_;                 // of the input
-	ConcurrentSets patches_;                  // of input vertices
+	std::size_t vertexCount_;          // of the input
+	ConcurrentSets patches_;           // of input vertices
 	HugeVector<std::uint32_t> patch_;  // per root of these sets: its number
 	std::uint32_t patchCount_ = 0;
 	std::vector<std::uint32_t> nearPatch_;  // per near face

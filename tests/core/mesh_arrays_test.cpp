@@ -84,8 +84,8 @@ TEST(PageReuse, arraysKeepWhatTheyHoldWhileMemoryGoesRound) {
 	const PageReuse outer;
 	std::vector<HugeVector<std::uint32_t>> live(12);
 	for (int round = 0; round < 200; ++round) {
-		const std::optional<PageReuse> inner = round % 3 == 0 ? std::optional<PageReuse>(std::in_place)
-		                                                      : std::nullopt;
+		const std::optional<PageReuse> inner =
+		    round % 3 == 0 ? std::optional<PageReuse>(std::in_place) : std::nullopt;
 		const std::size_t i = random() % live.size();
 		for (const std::uint32_t value : live[i]) {
 			ASSERT_EQ(value, i * 1000003);

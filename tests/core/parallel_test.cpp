@@ -226,9 +226,7 @@ TEST(Parallel, guardRestoresTheHostsEnvironment) {
 	{
 		const FpEnvironmentGuard guard;
 		EXPECT_TRUE(environmentIsDefault());
-		{
-			const FpEnvironmentGuard inner;
-		}
+		{ const FpEnvironmentGuard inner; }
 		EXPECT_TRUE(environmentIsDefault()) << "an inner guard gives nothing back";
 	}
 	EXPECT_FALSE(environmentIsDefault());

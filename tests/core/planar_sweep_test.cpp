@@ -58,6 +58,12 @@ struct Problem {
 	std::int64_t twiceArea = 0;
 };
 
+bool triangulate(const Problem& problem, const PlanarOrientation& orientation, Monitor& monitor,
+                 std::vector<std::array<std::uint32_t, 3>>& triangles) {
+	const auto count = static_cast<std::uint32_t>(problem.points.size());
+	return PlanarSweep().triangulate(count, problem.edges, orientation, monitor, triangles);
+}
+
 Problem randomProblem(std::mt19937& random, std::size_t inner, std::size_t tries) {
 	constexpr std::int64_t kSize = 48;
 	const std::array<GridPoint, 3> corners{{{0, 0}, {kSize, 0}, {kSize / 2, kSize}}};
@@ -119,8 +125,8 @@ Problem randomProblem(std::mt19937& random, std::size_t inner, std::size_t tries
 void expectTriangulates(const Problem& problem) {
 	const GridOrientation orientation(problem.points);
 	std::vector<std::array<std::uint32_t, 3>> triangles;
-	ASSERT_TRUE(PlanarSweep().triangulate(static_cast<std::uint32_t>(problem.points.size()), problem.edges,
-	                              orientation, triangles));
+	Monitor monitor;
+	ASSERT_TRUE(triangulate(problem, orientation, monitor, triangles));
 	EXPECT_EQ(triangles.size(), 2 * problem.points.size() - problem.borderPoints - 2);
 	std::int64_t sum = 0;
 	std::map<std::pair<std::uint32_t, std::uint32_t>, int> sides;
@@ -181,40 +187,60 @@ TEST(PlanarSweep, answersFalseToCrossingOrOpenBorders) {
 	const std::vector<GridPoint> points{{0, 0}, {4, 8}, {8, 0}, {9, 9}};
 	const GridOrientation orientation(points);
 	std::vector<std::array<std::uint32_t, 3>> triangles;
-	EXPECT_FALSE(PlanarSweep().triangulate(3, {{0, 1}, {0, 2}}, orientation, triangles));
-	EXPECT_FALSE(PlanarSweep().triangulate(4, {{0, 1}, {1, 2}, {0, 2}}, orientation, triangles));
+	Monitor monitor;
+	PlanarSweep sweep;
+	EXPECT_FALSE(sweep.triangulate(3, {{0, 1}, {0, 2}}, orientation, monitor, triangles));
+	EXPECT_FALSE(sweep.triangulate(4, {{0, 1}, {1, 2}, {0, 2}}, orientation, monitor, triangles));
+	EXPECT_TRUE(sweep.triangulate(3, {{0, 1}, {0, 2}, {1, 2}}, orientation, monitor, triangles))
+	    << "what is left of a failure does no harm";
+	EXPECT_EQ(triangles.size(), 1u);
+}
+
+// A star of n edges at one point, and a comb of n parallel edges.
+Problem comb(std::int64_t n) {
+	Problem problem;
+	problem.points = {{0, 0}, {4 * n, 0}, {0, 8 * n}};
+	for (std::int64_t i = 1; i <= n; ++i) {
+		problem.points.push_back({1, 2 * i});
+		problem.points.push_back({3, 2 * i});
+	}
+	std::sort(problem.points.begin(), problem.points.end());
+	const auto rank = [&problem](std::int64_t x, std::int64_t y) {
+		const auto it =
+		    std::lower_bound(problem.points.begin(), problem.points.end(), GridPoint{x, y});
+		return static_cast<std::uint32_t>(it - problem.points.begin());
+	};
+	problem.edges = {{rank(0, 0), rank(0, 8 * n)},
+	                 {rank(0, 0), rank(4 * n, 0)},
+	                 {rank(0, 8 * n), rank(4 * n, 0)}};
+	for (std::int64_t i = 1; i <= n; ++i) {
+		problem.edges.push_back({rank(1, 2 * i), rank(3, 2 * i)});
+	}
+	problem.borderPoints = 3;
+	problem.twiceArea = 32 * n * n;
+	return problem;
 }
 
 TEST(PlanarSweep, asksForOrientationsInProportionToNLogN) {
-	// A star of n edges at one point, and a comb of n parallel edges.
 	for (const std::int64_t n : {1000, 10000}) {
-		Problem problem;
-		problem.points = {{0, 0}, {4 * n, 0}, {0, 8 * n}};
-		for (std::int64_t i = 1; i <= n; ++i) {
-			problem.points.push_back({1, 2 * i});
-			problem.points.push_back({3, 2 * i});
-		}
-		std::sort(problem.points.begin(), problem.points.end());
-		const auto rank = [&problem](std::int64_t x, std::int64_t y) {
-			const auto it =
-			    std::lower_bound(problem.points.begin(), problem.points.end(), GridPoint{x, y});
-			return static_cast<std::uint32_t>(it - problem.points.begin());
-		};
-		problem.edges = {{rank(0, 0), rank(0, 8 * n)},
-		                 {rank(0, 0), rank(4 * n, 0)},
-		                 {rank(0, 8 * n), rank(4 * n, 0)}};
-		for (std::int64_t i = 1; i <= n; ++i) {
-			problem.edges.push_back({rank(1, 2 * i), rank(3, 2 * i)});
-		}
-		problem.borderPoints = 3;
-		problem.twiceArea = 32 * n * n;
+		const Problem problem = comb(n);
 		expectTriangulates(problem);
 		const GridOrientation orientation(problem.points);
 		std::vector<std::array<std::uint32_t, 3>> triangles;
-		ASSERT_TRUE(PlanarSweep().triangulate(static_cast<std::uint32_t>(problem.points.size()),
-		                              problem.edges, orientation, triangles));
+		Monitor monitor;
+		ASSERT_TRUE(triangulate(problem, orientation, monitor, triangles));
 		EXPECT_LT(orientation.calls, static_cast<std::size_t>(100 * n));
 	}
+}
+
+TEST(PlanarSweep, stopsWithinAPolygonWhenTheRunIsCancelled) {
+	const Problem problem = comb(20000);
+	const GridOrientation orientation(problem.points);
+	std::vector<std::array<std::uint32_t, 3>> triangles;
+	Monitor monitor([](double, const char*) { return false; });
+	EXPECT_FALSE(triangulate(problem, orientation, monitor, triangles));
+	EXPECT_TRUE(monitor.cancelled());
+	EXPECT_LT(triangles.size(), 20000u) << "a polygon of 40000 points";
 }
 
 }  // namespace
