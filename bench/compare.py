@@ -27,6 +27,7 @@ LIBRARIES = ["trueform", "MeshLib", "Manifold", "CGAL", "libigl", "VTK"]
 FILTERS = ["filter", "MeshLab"]
 SPLITTERS = ["trueform_arrangement", "trueform_cells"]  # of the peer trueform
 VOLUME_TOLERANCE = 1e-6  # some peers compute in float32
+ROUNDING = 1e-15  # of the sum that is a volume; operands are about of size 1
 OPERATION_SIGNS = {
     "union": "∪", "intersection": "∩", "first_minus_second": "−", "split": "cut by",
 }
@@ -219,7 +220,7 @@ def marks(row, peer):
         return ""
     reference = reference_volume(row)
     right = reference is None or (
-        abs(peer["volume"] - reference) <= VOLUME_TOLERANCE * abs(reference)
+        abs(peer["volume"] - reference) <= VOLUME_TOLERANCE * abs(reference) + ROUNDING
     )
     if "cells" in peer and "split" in row["core"]:
         right = right and peer["cells"] == row["core"]["split"]["sub_blocks"]
