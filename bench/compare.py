@@ -346,20 +346,20 @@ def parse_arguments():
     return args
 
 
-def select_cases(args):
+def select_cases(spheres, terrain, name):
+    """Those with `name` in their titles, with spheres and a terrain of about that many faces."""
     cases = [
-        *sphere_cases(args.spheres), *sphere_cases(4 * args.spheres)[:1],
-        *twin_cases(args.spheres // 4), wall_case(64), plate_case(100), plate_case(2500),
-        box_case(), terrain_case(args.terrain),
+        *sphere_cases(spheres), *sphere_cases(4 * spheres)[:1], *twin_cases(spheres // 4),
+        wall_case(64), plate_case(100), plate_case(2500), box_case(), terrain_case(terrain),
     ]
     folder = os.environ.get("INDEXBOOLEAN_MESHES")
     if folder:
         cases += mesh_cases(Path(folder).resolve())
     else:
         print("INDEXBOOLEAN_MESHES is not set: only generated spheres", file=sys.stderr)
-    cases = [case for case in cases if args.cases in case.title()]
+    cases = [case for case in cases if name in case.title()]
     if not cases:
-        sys.exit(f"no case has {args.cases!r} in its title")
+        sys.exit(f"no case has {name!r} in its title")
     return cases
 
 
@@ -373,7 +373,7 @@ def main():
     }
     args.out.mkdir(parents=True, exist_ok=True)
     rows = []
-    for case in select_cases(args):
+    for case in select_cases(args.spheres, args.terrain, args.cases):
         rows.append(measure(args, case))
         # After every case, so that a run that is ended early leaves what it has.
         results = json.dumps({"machine": machine, "rows": rows}, indent=1)

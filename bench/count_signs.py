@@ -78,7 +78,8 @@ def main():
     parser.add_argument("--page", type=Path, help="a page with <!-- signs --> marks")
     args = parser.parse_args()
     rows, base = [], None
-    for case in compare.select_cases(args):
+    cases = compare.select_cases(args.spheres, 1000, args.cases)
+    for case in [case for case in cases if case.operation != "split"]:
         counted = one_operation(args.counting, case, "--runs", "1", "--warmups", "0")
         if "signs" not in counted and base is None:
             sys.exit(f"{args.counting} does not count: build it by the preset count-signs")

@@ -136,6 +136,15 @@ def test_smallPairsAreAllRightBesideAPeer():
     assert rows[-1][3:] == ["0", "0"], "no wrong volume, each with a result"
 
 
+def test_countsAreAskedOfAProgramThatCounts():
+    command = [
+        sys.executable, ROOT / "bench/count_signs.py", "--counting", BENCH, "--timing", BENCH,
+        "--spheres", "500", "--cases", "box − box (2",
+    ]
+    done = subprocess.run(command, capture_output=True, text=True, timeout=60)
+    assert done.returncode != 0 and "does not count" in done.stderr
+
+
 def split_case(tmp_path, peers):
     command = [
         sys.executable, ROOT / "bench/compare.py", "--bench", BENCH, "--out", tmp_path,
