@@ -30,10 +30,13 @@ public:
 	PageReuse& operator=(const PageReuse&) = delete;
 };
 
-// For an array with another allocator: makes room for n items whose memory is in huge pages, as far
-// as the system does so for a range that has not been touched. Throws std::bad_alloc.
+// Asks for huge pages in memory of another allocator that has not been touched yet. A hint. O(1).
 void adviseHugePages(void* memory, std::size_t bytes);
+
+// How many bytes to ask such an allocator for so that the system can give whole huge pages.
 std::size_t hugePageCapacity(std::size_t bytes);
+
+// Makes room for n items in an array with another allocator. Throws std::bad_alloc.
 template <class T, class Allocator>
 void reserveHuge(std::vector<T, Allocator>& array, std::size_t n) {
 	if (n > array.capacity()) {

@@ -3,10 +3,12 @@
 //
 // in: the progress of stages; out: calls of the callback. Guarantee: the fraction never falls and
 // stays in [0,1]; a stage's beginning is always reported, progress within it every 10 ms at most;
-// once cancelled, always cancelled, and the callback is left alone.
+// once cancelled, always cancelled, and the callback is left alone. What the callback does to the
+// floating-point environment ends with it.
 #include "monitor.h"
 
 #include <algorithm>
+#include <cfenv>
 #include <chrono>
 
 namespace index_boolean {
@@ -40,11 +42,14 @@ void Monitor::call(double fraction) {
 		return;
 	last_ = fraction > last_ ? std::min(fraction, 1.0) : last_;
 	bool goOn = false;
+	std::fenv_t ours;
+	std::fegetenv(&ours);
 	try {
 		goOn = callback_(last_, stage_);
 	} catch (...) {
 		goOn = false;
 	}
+	std::fesetenv(&ours);  // a window's events may run drivers that change it
 	if (!goOn)
 		cancelled_.store(true, std::memory_order_relaxed);
 	lastCallNanoseconds_ = now();

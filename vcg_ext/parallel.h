@@ -19,7 +19,8 @@
 namespace index_boolean {
 
 // Sets this thread's floating-point environment to the default while it lives, then restores it.
-// Within another guard of the thread it does nothing: setting costs as much as a small stage.
+// Within another guard of the thread it does nothing: setting costs as much as a small stage. What
+// could change the environment meanwhile is the host's callback alone, and Monitor undoes that.
 class FpEnvironmentGuard {
 public:
 	FpEnvironmentGuard();

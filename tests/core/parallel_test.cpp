@@ -219,6 +219,26 @@ TEST(Parallel, bodiesComputeInTheDefaultEnvironment) {
 	EXPECT_TRUE(environmentIsDefault());
 }
 
+TEST(Parallel, aCallbackThatSpoilsTheEnvironmentSpoilsNothingAfterIt) {
+	std::fenv_t before;
+	std::fegetenv(&before);
+	{
+		const FpEnvironmentGuard guard;
+		Monitor monitor([](double, const char*) {
+			spoilEnvironment();
+			return true;
+		});
+		monitor.beginStage("test", 0, 1);
+		EXPECT_TRUE(environmentIsDefault()) << "what is not in a parallel region";
+		int spoilt = 0;
+		parallelFor(1, 1, 1, monitor, [&spoilt](std::size_t, std::size_t) {
+			spoilt += environmentIsDefault() ? 0 : 1;
+		});
+		EXPECT_EQ(spoilt, 0);
+	}
+	std::fesetenv(&before);
+}
+
 TEST(Parallel, guardRestoresTheHostsEnvironment) {
 	std::fenv_t before;
 	std::fegetenv(&before);
