@@ -531,15 +531,15 @@ int projectionAxis(const Triangle& triangle, const Points& points, int& sign) {
 	                                    &at(points, triangle[2])};
 	std::sort(corners.begin(), corners.end(),
 	          [](const Point* a, const Point* b) { return *a < *b; });
-	std::array<double, 3> size{};
-	for (int axis = 0; axis < 3; ++axis) {
-		const Bounded area = orient2dValue<Bounded>(*corners[0], *corners[1], *corners[2], axis);
+	std::array<double, 3> size = RoundedNormal(*corners[0], *corners[1], *corners[2]).value;
+	for (double& component : size) {
 		// NaN, from overflow, must not reach the sort: it counts as zero.
-		size[static_cast<std::size_t>(axis)] = std::fmax(0.0, std::fabs(area.value));
+		component = std::fmax(0.0, std::fabs(component));
 	}
 	std::array<int, 3> axes{0, 1, 2};
-	std::stable_sort(axes.begin(), axes.end(), [&size](int i, int j) {
-		return size[static_cast<std::size_t>(i)] > size[static_cast<std::size_t>(j)];
+	std::sort(axes.begin(), axes.end(), [&size](int i, int j) {
+		const double a = size[static_cast<std::size_t>(i)], b = size[static_cast<std::size_t>(j)];
+		return a != b ? a > b : i < j;
 	});
 	for (const int axis : axes) {
 		sign = orient2d(at(points, triangle[0]), at(points, triangle[1]), at(points, triangle[2]),

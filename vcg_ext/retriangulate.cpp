@@ -61,26 +61,63 @@ struct LocalVertex {
 	bool isCorner() const { return (onEdges & (onEdges - 1)) != 0; }
 };
 
-// An edge of the planar problem that parts regions or bounds the face: a segment of the curve, an
-// interval of the face's border, or both.
-struct FixedEdge {
+// An edge of the planar problem. Fixed are those that part regions or bound the face: a segment of
+// the curve, an interval of the face's border, or both.
+struct LocalEdge {
 	PlanarEdge ranks;
-	bool isBorder;
-	SegmentId segment;  // or none()
-	bool rising;        // the segment runs from the lower to the higher rank
-	NodeId interval;    // of a border edge both of whose ends lie on the other operand; else none()
+	bool isFixed = false, isBorder = false;
+	bool rising = false;  // the segment runs from the lower to the higher rank
+	SegmentId segment = SegmentId::none();
+	NodeId interval = NodeId::none();  // of a border edge with both ends on the other operand
+	// The pieces to the right and to the left of the way from the lower to the higher rank.
+	std::array<std::uint32_t, 2> pieces{kNone, kNone};
 };
 
-struct HalfEdge {
-	PlanarEdge ranks;
-	std::uint32_t piece;
-	bool rising;
-};
+// The edges of a planar problem, each once, in the order in which they were named.
+class LocalEdges {
+public:
+	// Empty again, with room for that many edges.
+	void reset(std::size_t most) {
+		edges_.clear();
+		edges_.reserve(most);
+		most_ = most;
+		unsigned bits = 2;
+		while (std::size_t{1} << bits < 2 * most) {
+			++bits;
+		}
+		shift_ = 64 - bits;
+		slots_.assign(std::size_t{1} << bits, 0);
+	}
 
-// Both ends in one number, for sorting.
-std::uint64_t keyOf(PlanarEdge e) { return std::uint64_t{e.left} << 32 | e.right; }
-bool operator<(PlanarEdge a, PlanarEdge b) { return keyOf(a) < keyOf(b); }
-bool operator==(PlanarEdge a, PlanarEdge b) { return keyOf(a) == keyOf(b); }
+	// The edge between two points, which is new if it has not been named yet; or null if there is
+	// no room for one more.
+	LocalEdge* named(std::uint32_t a, std::uint32_t b) {
+		constexpr std::uint64_t kMultiplier = 0x9e3779b97f4a7c15u;  // 2^64 / golden ratio
+		const PlanarEdge ranks{std::min(a, b), std::max(a, b)};
+		const std::uint64_t key = std::uint64_t{ranks.left} << 32 | ranks.right;
+		std::size_t slot = key * kMultiplier >> shift_;
+		for (; slots_[slot] != 0; slot = (slot + 1) & (slots_.size() - 1)) {
+			LocalEdge& edge = edges_[slots_[slot] - 1];
+			if (edge.ranks.left == ranks.left && edge.ranks.right == ranks.right) {
+				return &edge;
+			}
+		}
+		if (edges_.size() == most_) {
+			return nullptr;
+		}
+		edges_.push_back({ranks});
+		slots_[slot] = static_cast<std::uint32_t>(edges_.size());
+		return &edges_.back();
+	}
+
+	const std::vector<LocalEdge>& all() const { return edges_; }
+
+private:
+	std::vector<LocalEdge> edges_;
+	std::size_t most_ = 0;
+	std::vector<std::uint32_t> slots_;  // open addressing: 1 + the place among the edges, or 0
+	unsigned shift_ = 0;
+};
 
 // The points of a planar problem, as rounded; what these leave in doubt is asked of the exact ones.
 class PlanarPoints {
@@ -196,11 +233,10 @@ private:
 	void collectInner(const FaceLines& lines);
 	bool sortVertices();
 	std::uint32_t rankOf(VertexId id) const;
-	void fixEdges(const FaceLines& lines);
-	void fixSegments(const FaceLines& lines);
-	void fixBorder();
-	FixedEdge* fixedSegment(PlanarEdge ranks);
-	void collectHalfEdges();
+	bool fixSegments(const FaceLines& lines);
+	bool fixBorder();
+	void collectPlanarEdges(const FaceLines& lines);
+	bool findPieces();
 	bool unitePieces();
 	void numberRegions();
 	void recordSides();
@@ -223,15 +259,13 @@ private:
 	PlanarPoints points_;                // of the vertices
 	std::vector<std::uint32_t> order_;   // by rank: which of the vertices it is
 	std::vector<std::uint32_t> rankOfVertex_;
-	std::vector<FixedEdge> fixed_;
-	std::vector<FixedEdge> border_;  // what the border adds to them
+	LocalEdges edges_;
+	std::size_t fixedCount_ = 0;  // of the edges the first are fixed
 	std::vector<PlanarEdge> planarEdges_;
 	PlanarSweep sweep_;
 	std::vector<std::array<std::uint32_t, 3>> triangles_;
-	std::vector<HalfEdge> halfEdges_;
-	std::vector<const HalfEdge*> besideFixed_;  // the first half-edge along each fixed edge
-	std::vector<std::uint32_t> regionOf_;       // per triangle; a union-find while uniting
-	std::vector<std::uint32_t> number_;         // of the region, while they are numbered
+	std::vector<std::uint32_t> regionOf_;  // per triangle; a union-find while uniting
+	std::vector<std::uint32_t> number_;    // of the region, while they are numbered
 };
 
 void FaceCutter::collectBorder() {
@@ -304,64 +338,64 @@ std::uint32_t FaceCutter::rankOf(VertexId id) const {
 	return rankOfVertex_[static_cast<std::size_t>(it - vertices_.begin())];
 }
 
-PlanarEdge planarEdge(std::uint32_t a, std::uint32_t b) { return {std::min(a, b), std::max(a, b)}; }
-
-void FaceCutter::fixSegments(const FaceLines& lines) {
+// False if two segments have the same ends.
+bool FaceCutter::fixSegments(const FaceLines& lines) {
 	for (const FaceSegment* s = lines.segments; s != lines.segmentsEnd; ++s) {
 		const Segment& segment = at(arrangement_.curve.segments, s->segment);
 		const std::uint32_t from = rankOf(segment.begin);
 		const std::uint32_t to = rankOf(segment.end);
-		fixed_.push_back({planarEdge(from, to), false, s->segment, from < to, NodeId::none()});
+		LocalEdge* edge = edges_.named(from, to);
+		if (edge == nullptr || edge->isFixed) {
+			return false;
+		}
+		edge->isFixed = true;
+		edge->rising = from < to;
+		edge->segment = s->segment;
 	}
+	return true;
 }
 
-// The segment between two vertices, among those fixed so far and still sorted; or null.
-FixedEdge* FaceCutter::fixedSegment(PlanarEdge ranks) {
-	const auto it = std::lower_bound(fixed_.begin(), fixed_.end(), ranks,
-	                                 [](const FixedEdge& e, PlanarEdge r) { return e.ranks < r; });
-	return it != fixed_.end() && it->ranks == ranks ? &*it : nullptr;
-}
-
-void FaceCutter::fixBorder() {
+bool FaceCutter::fixBorder() {
 	const auto vertexCount = static_cast<std::uint32_t>(arrangement_.mesh.points.size());
-	border_.clear();
 	for (int i = 0; i < 3; ++i) {
 		const std::vector<VertexId>& side = side_[static_cast<std::size_t>(i)];
 		const CutEdge* cutEdge = cutEdge_[static_cast<std::size_t>(i)];
 		const bool reversed = side.back() < side.front();
+		std::uint32_t to = rankOf(side[0]);
 		for (std::size_t j = 0; j + 1 < side.size(); ++j) {
-			const PlanarEdge ranks = planarEdge(rankOf(side[j]), rankOf(side[j + 1]));
-			if (FixedEdge* segment = fixedSegment(ranks)) {
-				segment->isBorder = true;
-				continue;
+			const std::uint32_t from = to;
+			to = rankOf(side[j + 1]);
+			LocalEdge* edge = edges_.named(from, to);
+			if (edge == nullptr) {
+				return false;
 			}
-			NodeId interval = NodeId::none();
+			edge->isBorder = true;
+			if (edge->isFixed) {
+				continue;  // a segment
+			}
+			edge->isFixed = true;
 			const bool quiet =
 			    arrangement_.mesh.isQuiet(side[j]) && arrangement_.mesh.isQuiet(side[j + 1]);
 			if (arrangement_.isOnOther(side[j]) && arrangement_.isOnOther(side[j + 1]) && !quiet) {
 				const std::size_t fromLow = reversed ? side.size() - 2 - j : j;
-				interval = {vertexCount + cutEdge->firstInterval +
-				            static_cast<std::uint32_t>(fromLow)};
+				edge->interval = {vertexCount + cutEdge->firstInterval +
+				                  static_cast<std::uint32_t>(fromLow)};
 			}
-			border_.push_back({ranks, true, SegmentId::none(), false, interval});
 		}
 	}
-	fixed_.insert(fixed_.end(), border_.begin(), border_.end());
+	return true;
 }
 
-void FaceCutter::fixEdges(const FaceLines& lines) {
-	const auto byRanks = [](const FixedEdge& a, const FixedEdge& b) { return a.ranks < b.ranks; };
-	fixed_.clear();
-	fixSegments(lines);
-	std::sort(fixed_.begin(), fixed_.end(), byRanks);
-	fixBorder();
-	std::sort(fixed_.begin(), fixed_.end(), byRanks);
+// What the triangulation must contain: the fixed edges, which are the only ones so far, and the
+// diagonals.
+void FaceCutter::collectPlanarEdges(const FaceLines& lines) {
 	planarEdges_.clear();
-	for (const FixedEdge& e : fixed_) {
-		planarEdges_.push_back(e.ranks);
+	for (const LocalEdge& edge : edges_.all()) {
+		planarEdges_.push_back(edge.ranks);
 	}
 	for (const FaceDiagonal* d = lines.diagonals; d != lines.diagonalsEnd; ++d) {
-		planarEdges_.push_back(planarEdge(rankOf(d->begin), rankOf(d->end)));
+		const auto [left, right] = std::minmax({rankOf(d->begin), rankOf(d->end)});
+		planarEdges_.push_back({left, right});
 	}
 }
 
@@ -373,51 +407,42 @@ std::uint32_t findRoot(std::vector<std::uint32_t>& parent, std::uint32_t i) {
 	return i;
 }
 
-void FaceCutter::collectHalfEdges() {
-	halfEdges_.clear();
+// Finds the pieces beside each edge. False if two pieces lie on one side of an edge, or if there
+// are more edges than there can be.
+bool FaceCutter::findPieces() {
 	for (std::uint32_t piece = 0; piece < triangles_.size(); ++piece) {
 		for (int i = 0; i < 3; ++i) {
 			const std::uint32_t from = triangles_[piece][static_cast<std::size_t>(i)];
 			const std::uint32_t to = triangles_[piece][static_cast<std::size_t>(nextCorner(i))];
-			halfEdges_.push_back({planarEdge(from, to), piece, from < to});
+			LocalEdge* edge = edges_.named(from, to);
+			std::uint32_t* beside = edge != nullptr ? &edge->pieces[from < to ? 1 : 0] : nullptr;
+			if (beside == nullptr || *beside != kNone) {
+				return false;
+			}
+			*beside = piece;
 		}
 	}
-	std::sort(halfEdges_.begin(), halfEdges_.end(), [](const HalfEdge& a, const HalfEdge& b) {
-		return a.ranks == b.ranks ? a.piece < b.piece : a.ranks < b.ranks;
-	});
+	return true;
 }
 
-// Joins pieces across edges that are not fixed, and finds the half-edges at those that are. False
-// unless every border edge has one piece, every other edge two that run against each other, and
-// every fixed edge is there. With all pieces turned alike this proves that they cover the face
-// once.
+// Joins pieces across edges that are not fixed. False unless every border edge has one piece and
+// every other edge two, one on each side. With all pieces turned alike this proves that they cover
+// the face once.
 bool FaceCutter::unitePieces() {
 	regionOf_.resize(triangles_.size());
 	std::iota(regionOf_.begin(), regionOf_.end(), 0u);
-	besideFixed_.clear();
-	auto fixed = fixed_.begin();
-	for (std::size_t h = 0; h < halfEdges_.size();) {
-		const HalfEdge* edge = &halfEdges_[h];
-		const bool isFixed = fixed != fixed_.end() && fixed->ranks == edge->ranks;
-		const std::size_t expected = isFixed && fixed->isBorder ? 1 : 2;
-		std::size_t next = h + 1;
-		while (next < halfEdges_.size() && halfEdges_[next].ranks == edge->ranks) {
-			++next;
-		}
-		if (next - h != expected || (expected == 2 && edge[0].rising == edge[1].rising)) {
+	for (const LocalEdge& edge : edges_.all()) {
+		const int count = (edge.pieces[0] != kNone ? 1 : 0) + (edge.pieces[1] != kNone ? 1 : 0);
+		if (count != (edge.isBorder ? 1 : 2)) {
 			return false;
 		}
-		if (isFixed) {
-			besideFixed_.push_back(edge);
-			++fixed;
-		} else {
-			const std::uint32_t a = findRoot(regionOf_, edge[0].piece);
-			const std::uint32_t b = findRoot(regionOf_, edge[1].piece);
+		if (!edge.isFixed) {
+			const std::uint32_t a = findRoot(regionOf_, edge.pieces[0]);
+			const std::uint32_t b = findRoot(regionOf_, edge.pieces[1]);
 			regionOf_[std::max(a, b)] = std::min(a, b);
 		}
-		h = next;
 	}
-	return fixed == fixed_.end();
+	return true;
 }
 
 // A root is the first piece of its region, so one pass in order numbers them all.
@@ -432,16 +457,17 @@ void FaceCutter::numberRegions() {
 
 // Records what lies to both sides of the segments and behind the border's intervals.
 void FaceCutter::recordSides() {
-	for (std::size_t f = 0; f < fixed_.size(); ++f) {
-		const HalfEdge* h = besideFixed_[f];
-		const std::uint32_t region = regionOf_[h->piece];
-		if (fixed_[f].segment != SegmentId::none()) {
-			const std::uint32_t other = fixed_[f].isBorder ? kNone : regionOf_[h[1].piece];
-			const bool isLeft = h->rising == fixed_[f].rising;
-			out_.sides.push_back(
-			    {fixed_[f].segment, face_, isLeft ? region : other, isLeft ? other : region});
-		} else if (fixed_[f].interval != NodeId::none()) {
-			out_.links.push_back({region, fixed_[f].interval});
+	const auto regionBeside = [this](const LocalEdge& edge, bool leftOfRising) {
+		const std::uint32_t piece = edge.pieces[leftOfRising ? 1 : 0];
+		return piece != kNone ? regionOf_[piece] : kNone;
+	};
+	for (std::size_t i = 0; i < fixedCount_; ++i) {
+		const LocalEdge& edge = edges_.all()[i];
+		if (edge.segment != SegmentId::none()) {
+			out_.sides.push_back({edge.segment, face_, regionBeside(edge, edge.rising),
+			                      regionBeside(edge, !edge.rising)});
+		} else if (edge.interval != NodeId::none()) {
+			out_.links.push_back({regionBeside(edge, edge.pieces[1] != kNone), edge.interval});
 		}
 	}
 }
@@ -476,14 +502,24 @@ bool FaceCutter::cut(const FaceLines& lines) {
 	if (isStopped() || !sortVertices() || isStopped()) {
 		return false;
 	}
-	fixEdges(lines);
+	// Euler: a polygon with b border points and n points in all has 2n - b - 2 triangles and
+	// 3n - b - 3 edges.
+	if (2 * vertices_.size() < borderCount + 3) {
+		return false;  // a corner or a point on an edge is named twice
+	}
+	const std::size_t triangleCount = 2 * vertices_.size() - borderCount - 2;
+	edges_.reset(triangleCount + vertices_.size() - 1);
+	if (!fixSegments(lines) || !fixBorder()) {
+		return false;
+	}
+	fixedCount_ = edges_.all().size();
+	collectPlanarEdges(lines);
 	const FaceOrientation orientation(points_, order_);
 	const auto pointCount = static_cast<std::uint32_t>(vertices_.size());
 	if (!sweep_.triangulate(pointCount, planarEdges_, orientation, monitor_, triangles_)) {
 		return false;
 	}
-	// Euler: a polygon with b border points and n points in all has 2n - b - 2 triangles.
-	if (triangles_.size() != 2 * vertices_.size() - borderCount - 2) {
+	if (triangles_.size() != triangleCount) {
 		return false;
 	}
 	if (sign_ < 0) {
@@ -491,8 +527,7 @@ bool FaceCutter::cut(const FaceLines& lines) {
 			std::swap(t[1], t[2]);
 		}
 	}
-	collectHalfEdges();
-	if (isStopped() || !unitePieces()) {
+	if (isStopped() || !findPieces() || !unitePieces()) {
 		return false;
 	}
 	numberRegions();
