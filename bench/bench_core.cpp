@@ -53,6 +53,7 @@ struct CommandLine {
 	std::array<std::vector<double>, 2> transforms;  // 12 or 16 numbers, or none
 	Operation operation = Operation::Union;
 	int threads = 0, runs = 5, warmups = 1;
+	double seconds = 0;  // of timed runs, at least
 	std::string saveArrays;
 };
 
@@ -308,7 +309,9 @@ Status measure(const CommandLine& commandLine, const Operands& operands,
 	std::vector<double> totals, withoutAudit;
 	std::vector<std::pair<std::string, std::vector<double>>> stages;
 	resetPeakMemory();
-	for (int run = -commandLine.warmups; run < commandLine.runs; ++run) {
+	double timed = 0;
+	for (int run = -commandLine.warmups; run < commandLine.runs || timed < commandLine.seconds;
+	     ++run) {
 		takeSignCounts();
 		Monitor unheard;
 		const Outcome outcome = runOnce(operands, options, operations, unheard);
@@ -321,6 +324,7 @@ Status measure(const CommandLine& commandLine, const Operands& operands,
 		if (run < 0) {
 			continue;
 		}
+		timed += outcome.total;
 		totals.push_back(outcome.total);
 		withoutAudit.push_back(outcome.total - outcome.auditSeconds);
 		stages.resize(outcome.stages.size());
@@ -419,6 +423,8 @@ CommandLine parse(int argc, char** argv) {
 	    ->check(CLI::NonNegativeNumber);
 	app.add_option("--runs", out.runs, "Timed runs, of which the median is taken")
 	    ->check(CLI::PositiveNumber);
+	app.add_option("--seconds", out.seconds, "More timed runs, until they took that long in all")
+	    ->check(CLI::NonNegativeNumber);
 	app.add_option("--warmups", out.warmups, "Runs before those")->check(CLI::NonNegativeNumber);
 	app.add_option("--cancels", out.cancels,
 	               "Times nothing but how long it takes to cancel, at this many moments of a run")

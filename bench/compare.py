@@ -26,6 +26,7 @@ HERE = Path(__file__).resolve().parent
 LIBRARIES = ["trueform", "MeshLib", "Manifold", "CGAL", "libigl", "VTK"]
 FILTERS = ["filter", "MeshLab"]
 SPLITTERS = ["trueform_arrangement", "trueform_cells"]  # of the peer trueform
+LEAST_SECONDS = 0.25  # of timed runs: a call of a tenth of a millisecond is no sample of five
 VOLUME_TOLERANCE = 1e-6  # some peers compute in float32
 ROUNDING = 1e-15  # of the sum that is a volume; operands are about of size 1
 OPERATION_SIGNS = {
@@ -123,7 +124,7 @@ def run_core(args, case, arrays):
     operation = ["--split"] if case.operation == "split" else ["--operation", case.operation]
     command = [
         args.bench, *case.arguments, *operation,
-        "--runs", str(args.runs), "--save-arrays", str(arrays),
+        "--runs", str(args.runs), "--seconds", str(LEAST_SECONDS), "--save-arrays", str(arrays),
     ]
     try:
         done = subprocess.run(
@@ -145,7 +146,8 @@ def run_peer(args, name, case, arrays):
     """What peers.py measured: median seconds and figures, or why there are none."""
     command = [
         sys.executable, str(HERE / "peers.py"), name, str(arrays), case.operation,
-        "--runs", str(args.runs), "--limit", str(args.limit), "--plugin", args.plugin,
+        "--runs", str(args.runs), "--seconds", str(LEAST_SECONDS), "--limit", str(args.limit),
+        "--plugin", args.plugin,
     ]
     done = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True)
     seconds, peer = [], {}
@@ -304,7 +306,8 @@ def report(machine, rows, peers):
     parts = [
         f"{machine['processor']}, {machine['cores']} cores, load {machine['load']:.1f} at the "
         f"start. Medians of {machine['runs']} runs after a warm-up (of one run where it takes more "
-        "than 10 s). In parentheses: the time as a multiple of the first column's. "
+        f"than 10 s; of as many as take {LEAST_SECONDS} s where these are more). In parentheses: "
+        "the time as a multiple of the first column's. "
         "`*` the volume is off by more than 1e-6 of itself or cells are too many or few, `!` the "
         "result is not closed.",
     ]

@@ -350,6 +350,9 @@ def main():
         "operation", choices=["union", "intersection", "first_minus_second", "split"]
     )
     parser.add_argument("--runs", type=int, default=5, help="timed runs after a warm-up")
+    parser.add_argument(
+        "--seconds", type=float, default=0, help="more runs, until they took that long in all"
+    )
     parser.add_argument("--limit", type=float, default=120, help="seconds that a run may take")
     parser.add_argument("--plugin", default="", help="the plugin's file, for the peer 'filter'")
     args = parser.parse_args()
@@ -364,10 +367,12 @@ def main():
         if seconds > LONG_RUN_SECONDS:  # the warm-up is the measurement
             emit(seconds=seconds)
         else:
-            for _ in range(args.runs):
+            runs, timed = 0, 0.0
+            while runs < args.runs or timed < args.seconds:
                 result = None
                 seconds, result = timed_run(peer, args.limit)
                 emit(seconds=seconds)
+                runs, timed = runs + 1, timed + seconds
         figures = peer.figures(result)
     except Exception as error:
         emit(error=str(error).strip().splitlines()[0] if str(error) else repr(error))
