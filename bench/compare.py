@@ -337,7 +337,7 @@ def parse_arguments():
     add("--spheres", type=int, default=328000, help="faces of the generated spheres")
     add("--terrain", type=int, default=1000000, help="faces of the generated terrain")
     add("--runs", type=int, default=5)
-    # Five calls of a tenth of a millisecond are over before the processor has reached its clock.
+    # Medians of five calls of a tenth of a millisecond scatter by more than half.
     add("--seconds", type=float, default=0.25, help="more runs, until they took that long in all")
     add("--limit", type=float, default=120, help="seconds that one run may take")
     add("--cores", type=int, default=2)

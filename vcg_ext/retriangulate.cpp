@@ -502,11 +502,11 @@ bool FaceCutter::cut(const FaceLines& lines) {
 	if (isStopped() || !sortVertices() || isStopped()) {
 		return false;
 	}
-	// Euler: a polygon with b border points and n points in all has 2n - b - 2 triangles and
-	// 3n - b - 3 edges.
 	if (2 * vertices_.size() < borderCount + 3) {
 		return false;  // a corner or a point on an edge is named twice
 	}
+	// Euler: a polygon with b border points and n points in all has 2n - b - 2 triangles and
+	// 3n - b - 3 edges.
 	const std::size_t triangleCount = 2 * vertices_.size() - borderCount - 2;
 	edges_.reset(triangleCount + vertices_.size() - 1);
 	if (!fixSegments(lines) || !fixBorder()) {
