@@ -8,10 +8,10 @@
 // Every run starts anew. Exit status: 0 done, 1 refused or unreadable input, 2 usage.
 #include "operands.h"
 
-#include <vcg_ext/huge_pages.h>
+#include <vcg_ext/base/huge_pages.h>
+#include <vcg_ext/base/parallel.h>
+#include <vcg_ext/base/sign_counts.h>
 #include <vcg_ext/index_boolean.h>
-#include <vcg_ext/parallel.h>
-#include <vcg_ext/sign_counts.h>
 
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>

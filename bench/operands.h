@@ -6,7 +6,7 @@
 // that every peer can be given exactly what the core was given.
 #pragma once
 
-#include <vcg_ext/ids.h>
+#include <vcg_ext/base/mesh_types.h>
 
 #include <string>
 #include <vector>

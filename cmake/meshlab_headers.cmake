@@ -18,7 +18,7 @@ set(MESHLAB_COMMON_LIBRARY "" CACHE FILEPATH
 	"MeshLab's own meshlab-common to link with (its import library on Windows); empty: a stub, which \
 Windows has not")
 
-# host: MeshLab's version, its scalar, the folder of filter_indexboolean/ with the adapter
+# host: MeshLab's version, its scalar, the folder of filter_indexboolean/hosts/ with the adapter
 set(host_pymeshlab 2025.07 double meshlab_2025_07)
 set(host_meshlab-2025.07 2025.07 float meshlab_2025_07)
 set(host_meshlab-2020.09 2020.09 float meshlab_2020_09)

@@ -2,24 +2,25 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // The driver: one line a stage, in the order data flows. Stages are timed here, from outside.
-#include "index_boolean.h"
+#include "vcg_ext/index_boolean.h"
 
-#include "clean.h"
-#include "coincident_faces.h"
-#include "huge_pages.h"
-#include "labels.h"
-#include "loops.h"
-#include "manifold_copies.h"
-#include "merge_fragments.h"
-#include "octree_pairs.h"
-#include "operands.h"
-#include "overlap_owners.h"
-#include "parallel.h"
-#include "polygons.h"
-#include "retriangulate.h"
-#include "self_intersections.h"
-#include "triangle_contact.h"
-#include "weld.h"
+#include "vcg_ext/arrange/coincident_faces.h"
+#include "vcg_ext/arrange/curve_points.h"
+#include "vcg_ext/arrange/cut_lines.h"
+#include "vcg_ext/arrange/loops.h"
+#include "vcg_ext/arrange/octree_pairs.h"
+#include "vcg_ext/arrange/operands.h"
+#include "vcg_ext/arrange/retriangulate.h"
+#include "vcg_ext/arrange/self_intersections.h"
+#include "vcg_ext/arrange/triangle_contact.h"
+#include "vcg_ext/base/huge_pages.h"
+#include "vcg_ext/base/parallel.h"
+#include "vcg_ext/carry/polygons.h"
+#include "vcg_ext/mesh/clean.h"
+#include "vcg_ext/solids/labels.h"
+#include "vcg_ext/solids/manifold_copies.h"
+#include "vcg_ext/solids/merge_fragments.h"
+#include "vcg_ext/solids/overlap_owners.h"
 
 #include <algorithm>
 #include <chrono>
@@ -144,6 +145,7 @@ Status arrangeFor(Purpose purpose, MeshArrays input, const Options& options, Mon
 		const bool forBlocks = purpose == Purpose::Blocks;
 		std::vector<FacePair> pairs;
 		Contacts contacts;
+		std::vector<VertexId> vertexOfName;
 		Stages stages(monitor, out.stageTimes);
 		stages.run("operands", 0.2, [&] {
 			return forBlocks ? prepareOperands(out, monitor) : prepareSurfaces(out, monitor);
@@ -155,7 +157,10 @@ Status arrangeFor(Purpose purpose, MeshArrays input, const Options& options, Mon
 		           [&] { return findPairs(out.mesh, options, monitor, pairs); });
 		stages.run("triangle_contact", 0.15,
 		           [&] { return findContacts(out, pairs, monitor, contacts); });
-		stages.run("weld", 0.1, [&] { return weldPoints(out, contacts, monitor); });
+		stages.run("curve_points", 0.05,
+		           [&] { return numberCurvePoints(out, contacts, monitor, vertexOfName); });
+		stages.run("cut_lines", 0.05,
+		           [&] { return findCutLines(out, contacts, vertexOfName, monitor); });
 		stages.run("retriangulate", 0.1, [&] { return retriangulate(out, monitor); });
 		stages.run("loops", 0.05, [&] { return traceLoops(out, monitor); });
 		if (forBlocks) {

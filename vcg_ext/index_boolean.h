@@ -6,18 +6,21 @@
 // Triangulated Surfaces" (2013; Zhou, Qin, Mei, Tipper, Mathematics 2023, 11, 2713), on exact
 // decisions. Guarantee: coordinates decide signs, signs make indices, after that only indices. No
 // epsilon; the result is the same, byte for byte, for any number of threads.
+// The one public header: it brings all that a caller needs, but for the templates on vcglib's
+// meshes (mesh/mesh_arrays_vcg.h). Other headers change as the core does.
 #pragma once
 
-#include "arrangement.h"
-#include "attributes.h"
-#include "blocks.h"
-#include "curve_lines.h"
-#include "measure.h"
-#include "mesh_arrays.h"
-#include "monitor.h"
-#include "split_audit.h"
-#include "split_meshes.h"
-#include "status.h"
+#include "vcg_ext/arrange/arrangement.h"
+#include "vcg_ext/arrange/curve_lines.h"
+#include "vcg_ext/base/huge_pages.h"
+#include "vcg_ext/base/monitor.h"
+#include "vcg_ext/base/status.h"
+#include "vcg_ext/carry/attributes.h"
+#include "vcg_ext/mesh/measure.h"
+#include "vcg_ext/mesh/mesh_arrays.h"
+#include "vcg_ext/parts/split_audit.h"
+#include "vcg_ext/parts/split_meshes.h"
+#include "vcg_ext/solids/blocks.h"
 
 namespace index_boolean {
 
@@ -81,6 +84,12 @@ Status operandSeams(const Arrangement& arrangement, const GivenTriangles& given,
 Status attributeSources(const Arrangement& arrangement, const GivenTriangles& given,
                         const Seams& seams, AttributeNeeds needs, Monitor& monitor,
                         SourcedMesh& mesh, AttributeSources& out);
+
+// What is known of delivered blocks by measuring them.
+struct Audit {
+	std::vector<BlockMeasure> blocks;  // one per block given
+	double volumeLawResidual = 0;      // the largest |law| / (V(A) + V(B))
+};
 
 // Measures delivered blocks (volume, area, components, closedness) and the volume laws.
 // \param blocks any of the arrangement's blocks

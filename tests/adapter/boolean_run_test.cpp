@@ -4,7 +4,7 @@
 // The run behind the filter, driven through the host's kind of callback.
 #include "watched_host.h"
 
-#include <boolean_run.h>
+#include <runs/boolean_run.h>
 
 #include <gtest/gtest.h>
 

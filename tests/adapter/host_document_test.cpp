@@ -3,10 +3,10 @@
 //
 // The filter in a host's document, in situations that pymeshlab does not let Python make: a
 // callback that answers false, layers with deleted elements. Runs on pymeshlab's own libraries.
-#include <filter_definitions.h>
 #include <filter_indexboolean.h>
+#include <texts/filter_definitions.h>
 
-#include <vcg_ext/mesh_arrays_vcg.h>
+#include <vcg_ext/mesh/mesh_arrays_vcg.h>
 
 #include <gtest/gtest.h>
 

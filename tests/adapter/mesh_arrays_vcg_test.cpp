@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // The exchange with vcglib, on meshes in float and in double that are none of MeshLab's.
-#include <vcg_ext/mesh_arrays_vcg.h>
+#include <vcg_ext/mesh/mesh_arrays_vcg.h>
 
 #include <gtest/gtest.h>
 

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // What users read: sentences, labels, parameters.
-#include <messages.h>
-#include <split_layers.h>
+#include <layers/split_layers.h>
+#include <texts/messages.h>
 
 #include <gtest/gtest.h>
 

@@ -5,8 +5,8 @@
 // callback.
 #include "watched_host.h"
 
-#include <curves_run.h>
-#include <split_run.h>
+#include <runs/curves_run.h>
+#include <runs/split_run.h>
 
 #include <gtest/gtest.h>
 

@@ -5,7 +5,7 @@
 // on.
 #pragma once
 
-#include <progress.h>
+#include <runs/progress.h>
 
 #include <vcg_ext/index_boolean.h>
 

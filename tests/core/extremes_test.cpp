@@ -3,8 +3,8 @@
 //
 // Whole runs where a number type ends or the host has changed how it computes: the same triangles
 // as in the middle of the range. And operands whose defects only winding numbers show.
-#include "fp_environment.h"
-#include "shapes.h"
+#include "core/fp_environment.h"
+#include "core/shapes.h"
 #include "support/stored_faces.h"
 
 #include <gtest/gtest.h>

@@ -5,7 +5,7 @@
 // independent oracle, what every block promises, and invariance. 1000 pairs, or as many as
 // INDEXBOOLEAN_FUZZ_PAIRS says; pair n is made from the seed n. A failing pair is made small and
 // printed.
-#include "shapes.h"
+#include "core/shapes.h"
 #include "support/grid_properties.h"
 #include "support/shrink.h"
 

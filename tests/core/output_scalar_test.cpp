@@ -3,10 +3,10 @@
 //
 // Hosts in float and in double are given the same blocks: the scalar changes how points are
 // rounded, and nothing else until rounded points are cleaned.
-#include "shapes.h"
+#include "core/shapes.h"
 
-#include <vcg_ext/manifold_copies.h>
-#include <vcg_ext/merge_fragments.h>
+#include <vcg_ext/solids/manifold_copies.h>
+#include <vcg_ext/solids/merge_fragments.h>
 
 #include <gtest/gtest.h>
 

@@ -3,7 +3,7 @@
 //
 // Solids of cubes on integer grids, of two sizes: every kind of contact occurs, crossing diagonals
 // of coplanar faces, edges on edges, edges with four faces. Volumes are counted, not computed.
-#include "shapes.h"
+#include "core/shapes.h"
 
 #include <gtest/gtest.h>
 

@@ -18,32 +18,56 @@ sys.path.append(str(ROOT / "tools"))
 import readme_benchmark  # noqa: E402
 
 
-def stage_table():
+def wing_tables():
+    """{wing: [(stage, file)]} of the architecture page."""
     text = (ROOT / "docs" / "architecture.md").read_text()
-    table = text.split("<!-- stages -->")[1].split("<!-- /stages -->")[0]
-    rows = [line.split("|") for line in table.strip().splitlines()[2:]]
-    return [(row[1].strip(), row[2].strip(" `")) for row in rows]
+    tables = text.split("<!-- stages -->")[1].split("<!-- /stages -->")[0]
+    wings = {}
+    for part in tables.split("**`vcg_ext/")[1:]:
+        rows = [line.split("|") for line in part.splitlines() if line.startswith("|")][2:]
+        wings[part.split("/")[0]] = [(row[1].strip(), row[2].strip(" `")) for row in rows]
+    return wings
 
 
-def test_stage_table_has_the_drivers_stages_in_the_drivers_order():
+def stages():
+    return [stage for table in wing_tables().values() for stage, _ in table]
+
+
+def drivers_stages():
     driver = (ROOT / "vcg_ext" / "index_boolean.cpp").read_text()
-    run = re.findall(r'stages\.run\("(\w+)"', driver)
-    assert [stage for stage, _ in stage_table()] == [*run, "audit", "attributes"]
+    return [*re.findall(r'stages\.run\("(\w+)"', driver), "audit", "attributes"]
 
 
-def test_every_stage_is_a_file_pair():
-    for _, name in stage_table():
-        assert (ROOT / "vcg_ext" / f"{name}.h").is_file(), name
-        assert (ROOT / "vcg_ext" / f"{name}.cpp").is_file(), name
+def test_stageTablesHaveTheDriversStagesInTheDriversOrder():
+    run = drivers_stages()
+    assert sorted(stages()) == sorted(run)
+    for wing, table in wing_tables().items():
+        assert [stage for stage, _ in table] == [
+            stage for stage in run if stage in dict(table)
+        ], wing
+
+
+def test_everyStageIsAFilePairOfItsWing():
+    for wing, table in wing_tables().items():
+        for _, name in table:
+            assert (ROOT / "vcg_ext" / wing / f"{name}.h").is_file(), name
+            assert (ROOT / "vcg_ext" / wing / f"{name}.cpp").is_file(), name
+
+
+def test_movedFilesAreWhereThePageSays():
+    page = (ROOT / "docs" / "moved_files.md").read_text()
+    places = re.findall(r"`((?:vcg_ext|filter_indexboolean)/[\w/]+)`", page)
+    assert len(places) > 70
+    missing = [place for place in places if not list(ROOT.glob(f"{place.rstrip('/')}*"))]
+    assert not missing
 
 
 def test_dataFlowHasEveryStageAndNoOther():
     source = (ROOT / "docs" / "data_flow.dot").read_text()
     drawn = re.findall(r"<title>(\w+)</title>", (ROOT / "docs" / "data_flow.svg").read_text())
     materials = {"layers", "solids", "pieces", "lines"}
-    stages = {stage for stage, _ in stage_table()}
     assert {name for name in drawn if not name.startswith(("cluster", "data_flow"))} == (
-        stages | materials
+        set(stages()) | materials
     )
     assert all(re.search(rf"\b{name}\b", source) for name in drawn)
 

@@ -176,8 +176,8 @@ class TestResultMap:
         found = {k: type(v) for k, v in result.items() if not k.startswith("seconds_")}
         assert found == expected
         stages = {
-            "operands", "octree_pairs", "weld", "loops", "sub_surfaces", "sub_blocks",
-            "split_meshes", "audit",
+            "operands", "octree_pairs", "curve_points", "cut_lines", "loops", "sub_surfaces",
+            "sub_blocks", "split_meshes", "audit",
         }
         assert {f"seconds_{s}" for s in stages | {"core", "total"}} <= set(result)
 

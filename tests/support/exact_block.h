@@ -9,7 +9,7 @@
 #include "exact_sum.h"
 #include "grid_mesh.h"
 
-#include <vcg_ext/weld.h>
+#include <vcg_ext/arrange/places.h>
 
 #include <stdexcept>
 

@@ -5,7 +5,7 @@
 // without code of the core.
 #pragma once
 
-#include <vcg_ext/blocks.h>
+#include <vcg_ext/solids/blocks.h>
 
 #include <boost/multiprecision/cpp_int.hpp>
 

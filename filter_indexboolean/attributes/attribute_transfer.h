@@ -1,0 +1,68 @@
+// SPDX-FileCopyrightText: 2026 The Index Boolean authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// in: both operands' layers, and the sources of a new layer's elements; out: the layer's
+// attributes.
+// Guarantee: the operands' layers are not changed. What they do not carry costs nothing.
+#pragma once
+
+#include "attributes/layer_attributes.h"
+#include "texts/messages.h"
+
+namespace index_boolean {
+
+struct AttributeOptions {
+	bool partCurve = false;             // a vertex that both operands have becomes two
+	bool selectCurve = false;           // new layers have their new vertices selected, no others
+	std::vector<const char*> reserved;  // names of attributes that the filter itself writes
+};
+
+class AttributeTransfer {
+public:
+	// Borrows the layers.
+	AttributeTransfer(const std::array<MeshModel*, 2>& layers, const OperandArrays& read,
+	                  const AttributeOptions& options);
+	AttributeTransfer(const AttributeTransfer&) = delete;
+	AttributeTransfer& operator=(const AttributeTransfer&) = delete;
+
+	// What the core is to be asked for.
+	GivenTriangles givenTriangles() const {
+		return [this](GivenFace face) { return access_.givenTriangle(face); };
+	}
+	SameAttributes sameAttributes() const {
+		return [this](VertexId a, VertexId b, bool alsoNormals) {
+			return areSame(access_.vertex(a.value), access_.vertex(b.value), alsoNormals);
+		};
+	}
+	AttributeNeeds needs() const;
+
+	// Numbers for the faces of each operand: two have the same if each attribute has one value on
+	// both of them. Empty if there are no attributes.
+	std::array<std::vector<std::uint32_t>, 2> faceClasses() const;
+
+	// Makes room for all attributes in an empty layer, and adds what writes them, the normals, and
+	// where each element comes from. Throws std::bad_alloc.
+	// \param mesh    what the layer will hold, with its sources; both borrowed
+	// \param turned  which operands' faces the core has turned
+	void prepare(const SourcedMesh& mesh, const AttributeSources& sources,
+	             const std::array<bool, 2>& turned, MeshModel& layer,
+	             ElementWriters& writers) const;
+
+	// A sentence for each operand that lacks what the other carries.
+	std::vector<std::string> messages(const LayerNames& names) const;
+
+private:
+	bool areSame(const OperandElementsAccess::Spot& a, const OperandElementsAccess::Spot& b,
+	             bool alsoNormals) const;
+	void prepareFaceProvenance(const AttributeSources& sources, MeshModel& layer,
+	                           ElementWriters& writers) const;
+	void prepareVertexProvenance(const SourcedMesh& mesh, const AttributeSources& sources,
+	                             MeshModel& layer, ElementWriters& writers) const;
+
+	AttributeOptions options_;
+	OperandElementsAccess access_;
+	TextureList textures_;
+	std::vector<AttributeColumn> columns_;
+};
+
+}  // namespace index_boolean

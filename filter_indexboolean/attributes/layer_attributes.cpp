@@ -1,0 +1,376 @@
+// SPDX-FileCopyrightText: 2026 The Index Boolean authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// One row an attribute: which mask bit says that a layer has it, and how its values are read and
+// written.
+#include "attributes/layer_attributes.h"
+
+#include <algorithm>
+#include <set>
+#include <typeindex>
+
+namespace index_boolean {
+
+namespace {
+
+using TexCoord = CVertexO::TexCoordType;
+using Wedge = CFaceO::TexCoordType;
+
+// The rows of a matrix without its translation.
+std::array<Point3m, 3> rowsOf(const Matrix44m& matrix) {
+	std::array<Point3m, 3> rows;
+	for (int row = 0; row < 3; ++row)
+		rows[static_cast<std::size_t>(row)] = {matrix[row][0], matrix[row][1], matrix[row][2]};
+	return rows;
+}
+
+// A direction turned by a matrix, as long as before.
+Point3m turnedDirection(const std::array<Point3m, 3>& rows, const Point3m& direction) {
+	const Point3m turned(rows[0] * direction, rows[1] * direction, rows[2] * direction);
+	const Scalarm length = turned.Norm();
+	return length > 0 ? turned * (direction.Norm() / length) : turned;
+}
+
+// The columns that are found, one after another.
+class ColumnList {
+public:
+	ColumnList(const OperandElementsAccess& access, const TextureList& textures,
+	           const std::vector<const char*>& reserved)
+	    : access_(access), textures_(textures), reserved_(reserved) {}
+
+	void addVertexComponents();
+	void addFaceComponents();
+	void addTextureCoordinates();
+	void addSelection();
+	template <class Value>
+	void addUserAttributes(Value missing);
+
+	std::vector<AttributeColumn> columns;
+
+private:
+	std::array<bool, 2> haveMask(int bit) const {
+		return {access_.layer(0).hasDataMask(bit), access_.layer(1).hasDataMask(bit)};
+	}
+	void add(AttributeColumn column) {
+		if (column.has[0] || column.has[1])
+			columns.push_back(std::move(column));
+	}
+	template <class Value, class Get, class Put>
+	void addVertices(const char* name, int bit, Value missing, Get get, Put put);
+	template <class Value, class Get, class Put>
+	void addFaces(const char* name, int bit, Value missing, Get get, Put put);
+	template <class Value>
+	void addVertexAttribute(const std::string& name, Value missing);
+	template <class Value>
+	void addFaceAttribute(const std::string& name, Value missing);
+
+	const OperandElementsAccess& access_;
+	const TextureList& textures_;
+	const std::vector<const char*>& reserved_;
+};
+
+// \param get get(vertex); put(vertex, value): of MeshLab's vertices
+template <class Value, class Get, class Put>
+void ColumnList::addVertices(const char* name, int bit, Value missing, Get get, Put put) {
+	add(vertexColumn<Value>(
+	    access_, name, haveMask(bit), missing,
+	    [&access = access_, get](std::size_t operand, std::size_t v) {
+		    return Value(get(access.mesh(operand).vert[v]));
+	    },
+	    [bit, put](MeshModel& layer, const AttributeSources&) {
+		    layer.updateDataMask(bit);
+		    return
+		        [&layer, put](std::size_t v, const Value& value) { put(layer.cm.vert[v], value); };
+	    }));
+}
+
+template <class Value, class Get, class Put>
+void ColumnList::addFaces(const char* name, int bit, Value missing, Get get, Put put) {
+	add(faceColumn<Value>(
+	    access_, name, haveMask(bit), missing,
+	    [&access = access_, get](std::size_t operand, std::size_t f) {
+		    return Value(get(access.mesh(operand).face[f]));
+	    },
+	    [bit, put](MeshModel& layer, const AttributeSources&) {
+		    layer.updateDataMask(bit);
+		    return
+		        [&layer, put](std::size_t f, const Value& value) { put(layer.cm.face[f], value); };
+	    }));
+}
+
+template <class Element>
+CurvatureValue curvatureOf(const Element& element) {
+	return {element.cPD1(), element.cPD2(), static_cast<Scalarm>(element.cK1()),
+	        static_cast<Scalarm>(element.cK2())};
+}
+
+template <class Element>
+void setCurvature(Element& element, const CurvatureValue& value) {
+	element.PD1() = value.direction1;
+	element.PD2() = value.direction2;
+	element.K1() = value.k1;
+	element.K2() = value.k2;
+}
+
+CurvatureValue moved(const Matrix44m& matrix, CurvatureValue value) {
+	if (matrix != Matrix44m::Identity()) {
+		value.direction1 = turnedDirection(rowsOf(matrix), value.direction1);
+		value.direction2 = turnedDirection(rowsOf(matrix), value.direction2);
+	}
+	return value;
+}
+
+void ColumnList::addVertexComponents() {
+	using Quality = CVertexO::QualityType;
+	addVertices<vcg::Color4b>(
+	    "vertex colours", MeshModel::MM_VERTCOLOR, vcg::Color4b(vcg::Color4b::White),
+	    [](const CVertexO& v) { return v.cC(); },
+	    [](CVertexO& v, const vcg::Color4b& value) { v.C() = value; });
+	addVertices<Quality>(
+	    "vertex qualities", MeshModel::MM_VERTQUALITY, Quality(0),
+	    [](const CVertexO& v) { return v.cQ(); },
+	    [](CVertexO& v, Quality value) { v.Q() = value; });
+	addVertices<Scalarm>(
+	    "vertex radii", MeshModel::MM_VERTRADIUS, Scalarm(0),
+	    [](const CVertexO& v) { return v.cR(); },
+	    [](CVertexO& v, Scalarm value) { v.R() = value; });
+	add(vertexColumn<CurvatureValue>(
+	    access_, "vertex curvature directions", haveMask(MeshModel::MM_VERTCURVDIR),
+	    CurvatureValue{},
+	    [&access = access_](std::size_t operand, std::size_t v) {
+		    const CMeshO& mesh = access.mesh(operand);
+		    return moved(mesh.Tr, curvatureOf(mesh.vert[v]));
+	    },
+	    [](MeshModel& layer, const AttributeSources&) {
+		    layer.updateDataMask(MeshModel::MM_VERTCURVDIR);
+		    return [&layer](std::size_t v, const CurvatureValue& value) {
+			    setCurvature(layer.cm.vert[v], value);
+		    };
+	    }));
+}
+
+void ColumnList::addFaceComponents() {
+	using Quality = CFaceO::QualityType;
+	addFaces<vcg::Color4b>(
+	    "face colours", MeshModel::MM_FACECOLOR, vcg::Color4b(vcg::Color4b::White),
+	    [](const CFaceO& f) { return f.cC(); },
+	    [](CFaceO& f, const vcg::Color4b& value) { f.C() = value; });
+	addFaces<Quality>(
+	    "face qualities", MeshModel::MM_FACEQUALITY, Quality(0),
+	    [](const CFaceO& f) { return f.cQ(); }, [](CFaceO& f, Quality value) { f.Q() = value; });
+	add(faceColumn<CurvatureValue>(
+	    access_, "face curvature directions", haveMask(MeshModel::MM_FACECURVDIR), CurvatureValue{},
+	    [&access = access_](std::size_t operand, std::size_t f) {
+		    const CMeshO& mesh = access.mesh(operand);
+		    return moved(mesh.Tr, curvatureOf(mesh.face[f]));
+	    },
+	    [](MeshModel& layer, const AttributeSources&) {
+		    layer.updateDataMask(MeshModel::MM_FACECURVDIR);
+		    return [&layer](std::size_t f, const CurvatureValue& value) {
+			    setCurvature(layer.cm.face[f], value);
+		    };
+	    }));
+}
+
+void ColumnList::addTextureCoordinates() {
+	TexCoord missing(0, 0);
+	missing.N() = 0;
+	add(vertexColumn<TexCoord>(
+	    access_, "vertex texture coordinates", haveMask(MeshModel::MM_VERTTEXCOORD), missing,
+	    [&access = access_, &textures = textures_](std::size_t operand, std::size_t v) {
+		    TexCoord coordinate = access.mesh(operand).vert[v].cT();
+		    coordinate.N() = std::max(textures.number(operand, coordinate.N()), short{0});
+		    return coordinate;
+	    },
+	    [](MeshModel& layer, const AttributeSources&) {
+		    layer.updateDataMask(MeshModel::MM_VERTTEXCOORD);
+		    return [&layer](std::size_t v, const TexCoord& value) { layer.cm.vert[v].T() = value; };
+	    }));
+	Wedge none(0.5, 0.5);  // as MeshLab makes them
+	none.N() = -1;
+	add(cornerColumn<Wedge>(
+	    access_, "wedge texture coordinates", haveMask(MeshModel::MM_WEDGTEXCOORD), none,
+	    [&access = access_, &textures = textures_](std::size_t operand, std::size_t f,
+	                                               std::size_t corner) {
+		    Wedge coordinate = access.mesh(operand).face[f].cWT(static_cast<int>(corner));
+		    coordinate.N() = textures.number(operand, coordinate.N());
+		    return coordinate;
+	    },
+	    [](MeshModel& layer, const AttributeSources&) {
+		    layer.updateDataMask(MeshModel::MM_WEDGTEXCOORD);
+		    return [&layer](std::size_t f, std::size_t corner, const Wedge& value) {
+			    layer.cm.face[f].WT(static_cast<int>(corner)) = value;
+		    };
+	    }));
+}
+
+void ColumnList::addSelection() {
+	add(vertexColumn<bool>(
+	    access_, "", {access_.elements(0).anyVertexSelected, access_.elements(1).anyVertexSelected},
+	    false,
+	    [&access = access_](std::size_t operand, std::size_t v) {
+		    return access.mesh(operand).vert[v].IsS();
+	    },
+	    [](MeshModel& layer, const AttributeSources&) {
+		    return [&layer](std::size_t v, bool selected) {
+			    if (selected)
+				    layer.cm.vert[v].SetS();
+		    };
+	    }));
+	add(faceColumn<bool>(
+	    access_, "", {access_.elements(0).anyFaceSelected, access_.elements(1).anyFaceSelected},
+	    false,
+	    [&access = access_](std::size_t operand, std::size_t f) {
+		    return access.mesh(operand).face[f].IsS();
+	    },
+	    [](MeshModel& layer, const AttributeSources&) {
+		    return [&layer](std::size_t f, bool selected) {
+			    if (selected)
+				    layer.cm.face[f].SetS();
+		    };
+	    }));
+}
+
+template <class Value>
+bool isOf(const vcg::PointerToAttribute& attribute) {
+	return !attribute._name.empty() && attribute._type == std::type_index(typeid(Value));
+}
+
+// The names of the user's attributes of a type.
+template <class Value, class Attributes>
+std::set<std::string> namesOf(const Attributes& attributes) {
+	std::set<std::string> names;
+	for (const vcg::PointerToAttribute& attribute : attributes) {
+		if (isOf<Value>(attribute))
+			names.insert(attribute._name);
+	}
+	return names;
+}
+
+// A user's attribute of that name and type as each operand has it, or nullptr.
+struct AttributeArrays {
+	std::array<const vcg::SimpleTempDataBase*, 2> of{};
+
+	template <class Value, class Attributes>
+	static AttributeArrays find(const std::string& name, const Attributes& first,
+	                            const Attributes& second) {
+		AttributeArrays found;
+		for (std::size_t operand = 0; operand < 2; ++operand) {
+			for (const vcg::PointerToAttribute& a : operand == 0 ? first : second) {
+				if (isOf<Value>(a) && a._name == name)
+					found.of[operand] = a._handle;
+			}
+		}
+		return found;
+	}
+	std::array<bool, 2> has() const { return {of[0] != nullptr, of[1] != nullptr}; }
+	template <class Value>
+	Value at(std::size_t operand, std::size_t position) const {
+		return *static_cast<const Value*>(of[operand]->At(position));
+	}
+};
+
+template <class Value>
+void ColumnList::addVertexAttribute(const std::string& name, Value missing) {
+	const AttributeArrays arrays =
+	    AttributeArrays::find<Value>(name, access_.mesh(0).vert_attr, access_.mesh(1).vert_attr);
+	add(vertexColumn<Value>(
+	    access_, "vertex attribute \"" + name + "\"", arrays.has(), missing,
+	    [arrays](std::size_t operand, std::size_t v) { return arrays.at<Value>(operand, v); },
+	    [name](MeshModel& layer, const AttributeSources& sources) {
+		    auto out =
+		        index_boolean::addVertexAttribute<Value>(name, sources.vertex.size(), layer.cm);
+		    return [out](std::size_t v, const Value& value) mutable { out[v] = value; };
+	    }));
+}
+
+template <class Value>
+void ColumnList::addFaceAttribute(const std::string& name, Value missing) {
+	const AttributeArrays arrays =
+	    AttributeArrays::find<Value>(name, access_.mesh(0).face_attr, access_.mesh(1).face_attr);
+	add(faceColumn<Value>(
+	    access_, "face attribute \"" + name + "\"", arrays.has(), missing,
+	    [arrays](std::size_t operand, std::size_t f) { return arrays.at<Value>(operand, f); },
+	    [name](MeshModel& layer, const AttributeSources& sources) {
+		    auto out = index_boolean::addFaceAttribute<Value>(name, sources.face.size(), layer.cm);
+		    return [out](std::size_t f, const Value& value) mutable { out[f] = value; };
+	    }));
+}
+
+// An attribute that the operands have under one name with different types is that of the first.
+template <class Value>
+void ColumnList::addUserAttributes(Value missing) {
+	const auto isFree = [this](const std::string& name, const auto& attributes) {
+		const auto taken = std::find(reserved_.begin(), reserved_.end(), name) != reserved_.end();
+		const auto first = std::find_if(attributes.begin(), attributes.end(),
+		                                [&](const auto& a) { return a._name == name; });
+		return !taken &&
+		       (first == attributes.end() || first->_type == std::type_index(typeid(Value)));
+	};
+	const CMeshO &first = access_.mesh(0), &second = access_.mesh(1);
+	std::set<std::string> names = namesOf<Value>(first.vert_attr);
+	names.merge(namesOf<Value>(second.vert_attr));
+	for (const std::string& name : names) {
+		if (isFree(name, first.vert_attr))
+			addVertexAttribute(name, missing);
+	}
+	names = namesOf<Value>(first.face_attr);
+	names.merge(namesOf<Value>(second.face_attr));
+	for (const std::string& name : names) {
+		if (isFree(name, first.face_attr))
+			addFaceAttribute(name, missing);
+	}
+}
+
+}  // namespace
+
+OperandElementsAccess::OperandElementsAccess(const std::array<MeshModel*, 2>& layers,
+                                             const OperandArrays& read)
+    : layers_{layers[0], layers[1]}, elements_(read.elements),
+      secondBegin_(static_cast<std::uint32_t>(read.elements[0].vertices.count)),
+      numberings_{VertexNumbering<CMeshO>(layers[0]->cm, elements_[0].vertices, 0),
+                  VertexNumbering<CMeshO>(layers[1]->cm, elements_[1].vertices, secondBegin_)} {}
+
+std::vector<AttributeColumn> attributeColumns(const OperandElementsAccess& access,
+                                              const TextureList& textures,
+                                              const std::vector<const char*>& reserved) {
+	ColumnList list(access, textures, reserved);
+	list.addVertexComponents();
+	list.addFaceComponents();
+	list.addTextureCoordinates();
+	list.addSelection();
+	list.addUserAttributes(Scalarm(0));
+	list.addUserAttributes(Point3m(0, 0, 0));
+	return std::move(list.columns);
+}
+
+AttributeColumn normalColumn(const OperandElementsAccess& access, std::array<bool, 2> opposed) {
+	// A normal is turned by the cofactors: so it stays normal under any matrix, and on the side of
+	// its faces' fronts under one that mirrors.
+	std::array<std::array<Point3m, 3>, 2> cofactors;
+	std::array<bool, 2> isMoved{};
+	for (std::size_t operand = 0; operand < 2; ++operand) {
+		const Matrix44m& matrix = access.mesh(operand).Tr;
+		const std::array<Point3m, 3> rows = rowsOf(matrix);
+		cofactors[operand] = {rows[1] ^ rows[2], rows[2] ^ rows[0], rows[0] ^ rows[1]};
+		isMoved[operand] = matrix != Matrix44m::Identity();
+	}
+	const auto get = [&access, cofactors, isMoved](std::size_t operand, std::size_t v) {
+		const Point3m& normal = access.mesh(operand).vert[v].cN();
+		return isMoved[operand] ? turnedDirection(cofactors[operand], normal) : normal;
+	};
+	const auto prepare = [&access, opposed](MeshModel& layer, const AttributeSources& sources) {
+		return [&access, &layer, &sources, opposed](std::size_t v, Point3m normal) {
+			const bool isMix = sources.isMix(v);
+			const std::size_t operand = isMix ? sources.mixOfVertex(v).face.operand
+			                                  : access.vertex(sources.vertex[v]).operand;
+			if (isMix)
+				normal.Normalize();
+			layer.cm.vert[v].N() = (sources.turned[v] != 0) != opposed[operand] ? -normal : normal;
+		};
+	};
+	return vertexColumn<Point3m>(access, "vertex normals", {true, true}, Point3m(0, 0, 0), get,
+	                             prepare);
+}
+
+}  // namespace index_boolean

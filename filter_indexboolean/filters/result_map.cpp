@@ -1,0 +1,164 @@
+// SPDX-FileCopyrightText: 2026 The Index Boolean authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The keys of the result map.
+#include "filters/result_map.h"
+
+#include <host_document.h>
+
+#include <algorithm>
+
+namespace index_boolean {
+
+namespace {
+
+// Counts of elements are below 2^31 by the core's limit.
+int toInt(std::size_t count) { return static_cast<int>(count); }
+
+// A stage's name as a part of a key: "octree pairs" gives "octree_pairs".
+std::string keyOf(std::string stage) {
+	std::replace(stage.begin(), stage.end(), ' ', '_');
+	return stage;
+}
+
+void addBlock(const Block& block, const BlockMeasure& measure, int layerId, ResultMap& map) {
+	const std::string name = operationName(block.operation);
+	map[name + "_layer"] = layerId;
+	map[name + "_volume"] = measure.volume;
+	map[name + "_area"] = measure.area;
+	map[name + "_faces"] = toInt(block.triangles.size());
+	map[name + "_components"] = toInt(measure.components);
+	map[name + "_closed"] = measure.closed;
+}
+
+// For each element, what `number` gives of it.
+template <class Elements, class Number>
+QVariant listOf(const Elements& elements, Number&& number) {
+	std::vector<double> numbers;
+	for (const auto& element : elements)
+		numbers.push_back(static_cast<double>(number(element)));
+	return listValue(numbers);
+}
+
+void addLoopCounts(const LoopCounts& counts, ResultMap& map) {
+	map["loops_open"] = toInt(counts.open);
+	map["loops_hard_closed"] = toInt(counts.hardClosed);
+	map["loops_soft_closed"] = toInt(counts.softClosed);
+}
+
+void addLoops(const CurveLines& curves, int layerId, ResultMap& map) {
+	map["curves_layer"] = layerId;
+	map["loop_lengths"] = listOf(curves.lines, [](const CurveLine& line) { return line.length; });
+	map["loop_kinds"] = listOf(curves.lines, [](const CurveLine& line) { return line.kind; });
+}
+
+void addSubSurfaces(const SplitResult& result, std::size_t operand, ResultMap& map) {
+	const std::vector<SubSurfaceId>& ids = result.split.surfaces.ofOperand[operand];
+	const std::string name = kPieceNames[operand];
+	const auto listOfSurfaces = [&](auto&& number) {
+		return listOf(ids,
+		              [&](SubSurfaceId id) { return number(at(result.split.surfaces.all, id)); });
+	};
+	map[name] = toInt(ids.size());
+	map[name + "_areas"] = listOfSurfaces([](const SubSurface& s) { return s.area; });
+	map[name + "_public"] = listOfSurfaces([](const SubSurface& s) { return s.isPublic(); });
+	map[name + "_one_sided"] = listOfSurfaces([](const SubSurface& s) { return s.oneSided; });
+	map[name + "_boundary_cycles"] =
+	    listOfSurfaces([](const SubSurface& s) { return s.closedCycles; });
+	map[name + "_separating"] =
+	    listOf(ids, [&](SubSurfaceId id) { return at(result.split.blocks.separates, id); });
+}
+
+void addSubBlocks(const std::vector<SubBlock>& blocks, ResultMap& map) {
+	map["sub_blocks"] = toInt(blocks.size());
+	map["sub_blocks_volumes"] = listOf(blocks, [](const SubBlock& b) { return b.volume; });
+	map["sub_blocks_areas"] = listOf(blocks, [](const SubBlock& b) { return b.area; });
+	map["sub_blocks_in_first"] = listOf(blocks, [](const SubBlock& b) { return b.windings[0]; });
+	map["sub_blocks_in_second"] = listOf(blocks, [](const SubBlock& b) { return b.windings[1]; });
+}
+
+// Pairs of a loop and a sub-surface of an operand that it bounds, as two lists.
+void addIncidence(const CurveLines& curves, const SubSurfaces& surfaces, ResultMap& map) {
+	constexpr std::array<const char*, 2> kOperands{{"first", "second"}};
+	for (std::size_t operand = 0; operand < kOperands.size(); ++operand) {
+		std::vector<double> loops, pieces;
+		for (std::size_t line = 0; line < curves.lines.size(); ++line) {
+			for (const SubSurfaceId id : surfaces.atLoop[line]) {
+				const std::int32_t number = at(surfaces.all, id).number[operand];
+				if (number < 0)
+					continue;
+				loops.push_back(static_cast<double>(line));
+				pieces.push_back(number);
+			}
+		}
+		const std::string name = std::string("loops_at_sub_surfaces_") + kOperands[operand];
+		map[name + "_loop"] = listValue(loops);
+		map[name + "_sub_surface"] = listValue(pieces);
+	}
+}
+
+void addSeconds(const std::vector<StageTime>& stages, double core, const AdapterSeconds& adapter,
+                ResultMap& map) {
+	for (const StageTime& time : stages)
+		map["seconds_" + keyOf(time.stage)] = time.seconds;
+	map["seconds_read_layers"] = adapter.readLayers;
+	map["seconds_write_layers"] = adapter.writeLayers;
+	map["seconds_core"] = core;
+	map["seconds_total"] = adapter.total;
+}
+
+}  // namespace
+
+ResultMap resultMap(const BooleanResult& result, const std::vector<int>& layerIds,
+                    const AdapterSeconds& seconds) {
+	ResultMap map;
+	std::size_t zeroAreaFaces = 0;
+	for (std::size_t i = 0; i < result.blocks.size(); ++i) {
+		addBlock(result.blocks[i], result.audit.blocks[i], layerIds[i], map);
+		zeroAreaFaces += result.blocks[i].zeroAreaFacesRemoved;
+	}
+	map["volume_law_residual"] = result.audit.volumeLawResidual;
+	map["zero_area_faces_removed"] = toInt(zeroAreaFaces);
+	addLoopCounts(result.loopCounts, map);
+	if (layerIds.size() > result.blocks.size())
+		addLoops(result.curves, layerIds.back(), map);
+	addSeconds(result.stageTimes, result.seconds, seconds, map);
+	return map;
+}
+
+ResultMap resultMap(const SplitResult& result, const PieceLayers& layerIds,
+                    const AdapterSeconds& seconds) {
+	ResultMap map;
+	std::size_t zeroAreaFaces = 0;
+	for (std::size_t operand = 0; operand < 2; ++operand) {
+		addSubSurfaces(result, operand, map);
+		zeroAreaFaces += result.surfaceMeshes[operand].zeroAreaFacesRemoved;
+	}
+	addSubBlocks(result.split.blocks.all, map);
+	for (const SplitMesh& mesh : result.blockMeshes)
+		zeroAreaFaces += mesh.zeroAreaFacesRemoved;
+	for (std::size_t kind = 0; kind < layerIds.size(); ++kind) {
+		if (layerIds[kind].empty())
+			continue;
+		map[std::string(kPieceNames[kind]) + "_layer"] = layerIds[kind].front();
+		map[std::string(kPieceNames[kind]) + "_layers"] =
+		    listOf(layerIds[kind], [](int id) { return id; });
+	}
+	map["sub_blocks_closed"] = result.audit.closed;
+	map["volume_law_residual"] = result.audit.volumeLawResidual;
+	map["zero_area_faces_removed"] = toInt(zeroAreaFaces);
+	addLoopCounts(result.arrangement.loopCounts, map);
+	addSeconds(result.stageTimes, result.seconds, seconds, map);
+	return map;
+}
+
+ResultMap resultMap(const CurvesResult& result, int layerId, const AdapterSeconds& seconds) {
+	ResultMap map;
+	addLoopCounts(result.loopCounts, map);
+	addLoops(result.curves, layerId, map);
+	addIncidence(result.curves, result.surfaces, map);
+	addSeconds(result.stageTimes, result.seconds, seconds, map);
+	return map;
+}
+
+}  // namespace index_boolean

@@ -1,0 +1,140 @@
+// SPDX-FileCopyrightText: 2026 The Index Boolean authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// New layers are in the document while they are filled, and leave it if that fails.
+#include "layers/layers.h"
+
+#include <algorithm>
+#include <deque>
+#include <new>
+
+namespace index_boolean {
+
+namespace {
+
+constexpr double kReadShare = 0.05, kWriteShare = 0.15;
+
+// Layers that vanish again, with the old one current, unless they are kept.
+class NewLayers {
+public:
+	explicit NewLayers(MeshDocument& document)
+	    : document_(document), current_(document.mm() != nullptr ? document.mm()->id() : -1) {}
+
+	~NewLayers() {
+		if (kept_ || layers_.empty())
+			return;
+		for (const MeshModel* layer : layers_)
+			deleteLayer(document_, *layer);
+		document_.setCurrentMesh(current_);
+	}
+
+	NewLayers(const NewLayers&) = delete;
+	NewLayers& operator=(const NewLayers&) = delete;
+
+	void add(const QString& label) {
+		layers_.reserve(layers_.size() + 1);
+		constexpr bool kMakeCurrent = false;
+		layers_.push_back(document_.addNewMesh(QString(), label, kMakeCurrent));
+	}
+
+	const std::vector<MeshModel*>& layers() const { return layers_; }
+
+	void keep() {
+		kept_ = true;
+		document_.setCurrentMesh(layers_.front()->id());
+	}
+
+private:
+	MeshDocument& document_;
+	int current_;
+	bool kept_ = false;
+	std::vector<MeshModel*> layers_;
+};
+
+// The vertices or the faces of one layer.
+struct WritingTask {
+	LayerWriter* writer;
+	void (LayerWriter::*write)(Monitor&);
+	std::size_t bytes;
+};
+
+// Fills the layers, which have no elements yet. Each vector is touched by one thread from front to
+// back; the largest are begun first, so that none is left over when the others are done.
+Status fillLayers(const std::vector<LayerContent>& contents, Monitor& monitor,
+                  const std::vector<MeshModel*>& layers) {
+	std::deque<LayerWriter> writers;
+	std::vector<WritingTask> tasks;
+	std::size_t bytes = 0;
+	for (std::size_t i = 0; i < contents.size(); ++i) {
+		LayerWriter& writer = writers.emplace_back(contents[i], *layers[i]);
+		const Status status = writer.begin(monitor);
+		if (!status.ok())
+			return status;
+		tasks.push_back({&writer, &LayerWriter::writeVertices, writer.vertexBytes()});
+		tasks.push_back({&writer, &LayerWriter::writeFaces, writer.faceBytes()});
+		bytes += writer.vertexBytes() + writer.faceBytes();
+	}
+	std::stable_sort(tasks.begin(), tasks.end(),
+	                 [](const WritingTask& a, const WritingTask& b) { return a.bytes > b.bytes; });
+	constexpr std::size_t kWorthThreads = std::size_t{1} << 20;
+	const std::size_t grain = bytes > kWorthThreads ? 1 : tasks.size();
+	return parallelFor(tasks.size(), grain, 0, monitor, [&](std::size_t begin, std::size_t end) {
+		for (std::size_t i = begin; i < end; ++i)
+			(tasks[i].writer->*tasks[i].write)(monitor);
+	});
+}
+
+}  // namespace
+
+Status readLayers(const std::array<MeshModel*, 2>& layers, Progress& progress, OperandArrays& out) {
+	try {
+		Status status;
+		Monitor monitor = progress.nextPhase(kReadShare);
+		monitor.beginStage("reading layers", 0, 1);
+		const auto both = [&layers](int CMeshO::*count) {
+			return static_cast<std::size_t>(layers[0]->cm.*count) +
+			       static_cast<std::size_t>(layers[1]->cm.*count);
+		};
+		out.arrays.points.reserve(both(&CMeshO::vn));
+		out.arrays.triangles.reserve(both(&CMeshO::fn));
+		for (std::size_t k = 0; k < layers.size() && status.ok(); ++k) {
+			const CMeshO& mesh = layers[k]->cm;
+			status = appendOperand(mesh, mesh.Tr, static_cast<int>(k), monitor, out.arrays,
+			                       out.elements[k]);
+		}
+		return status;
+	} catch (const std::bad_alloc&) {
+		return statusOf(StatusCode::OutOfMemory);
+	}
+}
+
+void selectFaces(const std::vector<std::uint32_t>& faces, const LiveElements& live,
+                 MeshModel& layer) {
+	CMeshO& mesh = layer.cm;
+	vcg::tri::UpdateSelection<CMeshO>::Clear(mesh);
+	for (const std::uint32_t face : faces)
+		mesh.face[live[face]].SetS();
+	mesh.svn = 0;
+	mesh.sfn = static_cast<int>(vcg::tri::UpdateSelection<CMeshO>::FaceCount(mesh));
+}
+
+Status addLayers(const std::vector<LayerContent>& contents, Progress& progress,
+                 MeshDocument& document, std::vector<MeshModel*>& added) {
+	try {
+		Monitor monitor = progress.nextPhase(kWriteShare);
+		monitor.beginStage("writing layers", 0, 1);
+		NewLayers layers(document);
+		for (const LayerContent& content : contents)
+			layers.add(content.label);
+		const Status status = fillLayers(contents, monitor, layers.layers());
+		if (status.ok()) {
+			layers.keep();
+			added = layers.layers();
+		}
+		return status;
+	} catch (const std::bad_alloc&) {
+		return statusOf(StatusCode::OutOfMemory);
+	}
+}
+
+}  // namespace index_boolean

@@ -1,0 +1,89 @@
+// SPDX-FileCopyrightText: 2026 The Index Boolean authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Both layers are found and named before anything is read from them.
+#include "layers/operand_layers.h"
+
+namespace index_boolean {
+
+namespace {
+
+MeshModel* findOperand(FilterId filter, const char* name, const ParameterValues& values,
+                       MeshDocument& document) {
+	const int id = values.getInt(name);
+	MeshModel* layer = findLayer(document, id);
+	if (layer == nullptr)
+		throw Refusal(unknownLayerMessage(parameterDefinition(filter, name), id));
+	return layer;
+}
+
+LayerName nameOf(const MeshModel& layer) {
+	const std::string label = layer.label().toStdString();
+	return {label.empty() ? "layer " + std::to_string(layer.id()) : label, layer.id()};
+}
+
+}  // namespace
+
+OperandLayers findOperandLayers(FilterId filter, const ParameterValues& values,
+                                MeshDocument& document) {
+	OperandLayers operands;
+	operands.layers = {findOperand(filter, "first_mesh", values, document),
+	                   findOperand(filter, "second_mesh", values, document)};
+	operands.names = {nameOf(*operands.layers[0]), nameOf(*operands.layers[1])};
+	if (operands.layers[0] == operands.layers[1])
+		throw Refusal(sameLayerMessage(operands.names[0]));
+	return operands;
+}
+
+int numberInRange(FilterId filter, const char* name, const ParameterValues& values) {
+	const ParameterDefinition& definition = parameterDefinition(filter, name);
+	const int number = values.getInt(name);
+	if (number < definition.minimum || number > definition.maximum)
+		throw Refusal(outOfRangeMessage(definition, number));
+	return number;
+}
+
+Options readCommonOptions(FilterId filter, const ParameterValues& values) {
+	Options options;
+	options.octreeMaxDepth = numberInRange(filter, "octree_max_depth", values);
+	options.octreeLeafSize = numberInRange(filter, "octree_leaf_size", values);
+	options.outputScalar =
+	    sizeof(Scalarm) == sizeof(float) ? OutputScalar::Float : OutputScalar::Double;
+	options.checkSelfIntersections = values.getBool("check_self_intersections");
+	return options;
+}
+
+void refuseUnlessOk(const Status& status, const LayerNames& names) {
+	if (!status.ok())
+		throw Refusal(refusalMessage(status, names));
+}
+
+void refuseDefect(const Status& status, const OperandArrays& read, const OperandLayers& operands) {
+	const std::size_t operand = status.operand == 1 ? 1 : 0;
+	if (!status.faces.empty())
+		selectFaces(status.faces, read.elements[operand].faces, *operands.layers[operand]);
+	refuseUnlessOk(status, operands.names);
+}
+
+OperandArrays readOperands(const OperandLayers& operands, Progress& progress) {
+	OperandArrays read;
+	refuseUnlessOk(readLayers(operands.layers, progress, read), operands.names);
+	return read;
+}
+
+std::vector<std::string> operandMessages(const std::array<bool, 2>& turned,
+                                         const DuplicateFaces& duplicates,
+                                         const LayerNames& names) {
+	std::vector<std::string> messages;
+	for (std::size_t k = 0; k < names.size(); ++k) {
+		if (turned[k])
+			messages.push_back(turnedMessage(names[k]));
+		const std::size_t once = duplicates.takenOnce[k];
+		const std::size_t cancelled = duplicates.cancelledPairs[k];
+		if (once + cancelled > 0)
+			messages.push_back(duplicatesMessage(names[k], once, cancelled));
+	}
+	return messages;
+}
+
+}  // namespace index_boolean

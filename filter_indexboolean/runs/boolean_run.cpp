@@ -1,0 +1,97 @@
+// SPDX-FileCopyrightText: 2026 The Index Boolean authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// One arrangement, then each block from it, then the audit.
+#include "runs/boolean_run.h"
+
+#include "runs/stopwatch.h"
+
+#include <utility>
+
+namespace index_boolean {
+
+namespace {
+
+Status extractBlocks(const Arrangement& arrangement, const std::vector<Operation>& operations,
+                     Progress& progress, std::vector<Block>& blocks) {
+	blocks.resize(operations.size());
+	for (std::size_t i = 0; i < operations.size(); ++i) {
+		Monitor monitor = progress.nextPhase(kBlocksShare / static_cast<double>(operations.size()));
+		const Status status = extractBlock(arrangement, operations[i], monitor, blocks[i]);
+		if (!status.ok())
+			return status;
+	}
+	return {};
+}
+
+// Vertices that part here have been audited as one: a block is closed across its seams.
+Status findSources(const Arrangement& arrangement, const BooleanRequest& request,
+                   Progress& progress, BooleanResult& result) {
+	Monitor monitor = progress.nextPhase(kSourcesShare);
+	if (!request.given)
+		return {};
+	Seams seams;
+	Status status = operandSeams(arrangement, request.given, request.same, monitor, seams);
+	result.sources.resize(result.blocks.size());
+	for (std::size_t i = 0; i < result.sources.size() && status.ok(); ++i) {
+		status = attributeSources(arrangement, request.given, seams, request.needs, monitor,
+		                          result.blocks[i], result.sources[i]);
+	}
+	return status;
+}
+
+// Adds up what each stage took for all blocks.
+void addBlockTimes(const std::vector<Block>& blocks, std::vector<StageTime>& times) {
+	const std::size_t first = times.size();
+	for (const Block& block : blocks) {
+		for (std::size_t i = 0; i < block.stageTimes.size(); ++i) {
+			if (first + i == times.size())
+				times.push_back({block.stageTimes[i].stage, 0});
+			times[first + i].seconds += block.stageTimes[i].seconds;
+		}
+	}
+}
+
+}  // namespace
+
+Status runBoolean(MeshArrays input, const BooleanRequest& request, Progress& progress,
+                  BooleanResult& result) {
+	const Stopwatch total;
+	Arrangement arrangement;
+	Monitor arranging = progress.nextPhase(kArrangeShare);
+	Status status = arrange(std::move(input), request.options, arranging, arrangement);
+	if (!status.ok())
+		return status;
+	result.turned = arrangement.turned;
+	result.duplicates = arrangement.duplicates;
+	result.loopCounts = arrangement.loopCounts;
+	result.stageTimes = arrangement.stageTimes;
+
+	status = extractBlocks(arrangement, request.operations, progress, result.blocks);
+	if (!status.ok())
+		return status;
+	addBlockTimes(result.blocks, result.stageTimes);
+
+	const Stopwatch auditTime;
+	Monitor auditing = progress.nextPhase(kAuditShare);
+	auditing.beginStage("audit", 0, 1);
+	status = audit(arrangement, result.blocks, auditing, result.audit);
+	if (!status.ok())
+		return status;
+	result.stageTimes.push_back({"audit", auditTime.seconds()});
+
+	const Stopwatch sourcesTime;
+	status = findSources(arrangement, request, progress, result);
+	if (!status.ok())
+		return status;
+	result.stageTimes.push_back({"attributes", sourcesTime.seconds()});
+
+	if (request.curves) {
+		Monitor drawing = progress.nextPhase(kCurvesShare);
+		status = extractCurve(arrangement, drawing, result.curves);
+	}
+	result.seconds = total.seconds();
+	return status;
+}
+
+}  // namespace index_boolean

@@ -1,0 +1,74 @@
+// SPDX-FileCopyrightText: 2026 The Index Boolean authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// One arrangement, its sub-surfaces and sub-blocks, the meshes asked for, then the audit.
+#include "runs/split_run.h"
+
+#include "runs/stopwatch.h"
+
+#include <utility>
+
+namespace index_boolean {
+
+namespace {
+
+constexpr double kArrangingShare = 0.4, kFindingShare = 0.2, kMeshesShare = 0.1, kAuditShare = 0.05;
+
+Status collectSurfaceMeshes(const SplitRequest& request, Progress& progress, SplitResult& result) {
+	Status status;
+	for (std::size_t operand = 0; operand < 2 && status.ok(); ++operand) {
+		SplitMesh& mesh = result.surfaceMeshes[operand];
+		Monitor monitor = progress.nextPhase(kMeshesShare / 2);
+		if (request.subSurfaces[operand])
+			status = extractSubSurfaces(result.arrangement, result.split, operand, monitor, mesh);
+	}
+	return status;
+}
+
+Status collectBlockMeshes(Progress& progress, SplitResult& result) {
+	Status status;
+	const std::size_t count = result.split.blocks.all.size();
+	result.blockMeshes.resize(count);
+	for (std::size_t i = 0; i < count && status.ok(); ++i) {
+		Monitor monitor = progress.nextPhase(kMeshesShare / static_cast<double>(count));
+		status = extractSubBlock(result.arrangement, result.split, makeId<SubBlockTag>(i), monitor,
+		                         result.blockMeshes[i]);
+	}
+	return status;
+}
+
+}  // namespace
+
+Status runSplit(MeshArrays input, const SplitRequest& request, Progress& progress,
+                SplitResult& result) {
+	const Stopwatch total;
+	Monitor arranging = progress.nextPhase(kArrangingShare);
+	Status status =
+	    arrangeSurfaces(std::move(input), request.options, arranging, result.arrangement);
+	result.stageTimes = result.arrangement.stageTimes;
+	if (status.ok()) {
+		Monitor monitor = progress.nextPhase(kFindingShare);
+		status = split(result.arrangement, monitor, result.split);
+		const std::vector<StageTime>& times = result.split.stageTimes;
+		result.stageTimes.insert(result.stageTimes.end(), times.begin(), times.end());
+	}
+	const Stopwatch meshesTime;
+	if (status.ok()) {
+		status = collectSurfaceMeshes(request, progress, result);
+	}
+	if (status.ok() && request.subBlocks) {
+		status = collectBlockMeshes(progress, result);
+	}
+	result.stageTimes.push_back({"split_meshes", meshesTime.seconds()});
+	if (status.ok()) {
+		const Stopwatch auditTime;
+		Monitor monitor = progress.nextPhase(kAuditShare);
+		monitor.beginStage("audit", 0, 1);
+		status = audit(result.arrangement, result.split, result.blockMeshes, monitor, result.audit);
+		result.stageTimes.push_back({"audit", auditTime.seconds()});
+	}
+	result.seconds = total.seconds();
+	return status;
+}
+
+}  // namespace index_boolean

@@ -1,0 +1,46 @@
+// SPDX-FileCopyrightText: 2026 The Index Boolean authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// in: both operands' arrays and a request; out: the sub-surfaces and sub-blocks, their meshes, and
+// all that the result map and the log report. Free of MeshLab: any host's adapter runs it.
+#pragma once
+
+#include "runs/progress.h"
+
+#include <vcg_ext/index_boolean.h>
+
+#include <vector>
+
+namespace index_boolean {
+
+struct SplitRequest {
+	Options options;
+	std::array<bool, 2> subSurfaces{true, true};  // of each operand
+	bool subBlocks = true;
+	bool separateLayers = false;  // a layer for each piece
+	std::size_t maxLayers = 64;   // above which separateLayers is not followed
+};
+
+// The arrangement, what it is cut into, the meshes of what was asked for, and their audit.
+struct SplitResult {
+	Arrangement arrangement;
+	Split split;
+	std::array<SplitMesh, 2> surfaceMeshes;  // of each operand; empty unless asked for
+	std::vector<SplitMesh> blockMeshes;      // of each block; none unless asked for
+	SplitAudit audit;
+	std::vector<StageTime> stageTimes;
+	double seconds = 0;  // from arrays to arrays
+
+	// How many sub-surfaces an operand has.
+	std::size_t surfaceCount(std::size_t operand) const {
+		return split.surfaces.ofOperand[operand].size();
+	}
+};
+
+// \param input    moved in
+// \param result   meaningful only if the status is Ok
+// \return any StatusCode
+Status runSplit(MeshArrays input, const SplitRequest& request, Progress& progress,
+                SplitResult& result);
+
+}  // namespace index_boolean

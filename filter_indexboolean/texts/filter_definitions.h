@@ -1,0 +1,91 @@
+// SPDX-FileCopyrightText: 2026 The Index Boolean authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What users see of the filters, as data: names, parameters, help texts. Free of any version of
+// MeshLab's API, so that each host's adapter reads the same list.
+#pragma once
+
+#include <vcg_ext/index_boolean.h>
+
+#include <array>
+#include <string>
+#include <vector>
+
+namespace index_boolean {
+
+enum class ParameterKind { Layer, Bool, Int };
+
+struct ParameterDefinition {
+	const char* name;
+	ParameterKind kind;
+	int defaultValue;      // Layer: the position in the document; Bool: 0 or 1
+	int minimum, maximum;  // Int: the values that are accepted
+	bool advanced;
+	const char* label;
+	const char* help;
+};
+
+enum class FilterId {
+	GenerateIndexBoolean,
+	GenerateIndexBooleanSplit,
+	GenerateIndexBooleanCurves,
+};
+
+struct FilterDefinition {
+	FilterId id;
+	const char* pythonName;
+	const char* menuName;
+	std::string help;  // with simple HTML
+	std::vector<ParameterDefinition> parameters;
+};
+
+// All filters of the plugin, in the order of the menu.
+const std::vector<FilterDefinition>& filterDefinitions();
+
+const FilterDefinition& filterDefinition(FilterId id);
+
+// The parameter of that name; the filter must have it.
+const ParameterDefinition& parameterDefinition(FilterId id, const std::string& name);
+
+// A block that a user can ask for. Its parameter and its result keys are named by operationName.
+struct BlockDefinition {
+	Operation operation;
+	bool swapped;       // the second layer's label comes first
+	const char* infix;  // between the labels of the two layers
+};
+
+// In the order of the new layers.
+constexpr std::array<BlockDefinition, kOperationCount> kBlockDefinitions{{
+    {Operation::Union, false, "union"},
+    {Operation::Intersection, false, "intersection"},
+    {Operation::FirstMinusSecond, false, "minus"},
+    {Operation::SecondMinusFirst, true, "minus"},
+    {Operation::SymmetricDifference, false, "xor"},
+}};
+
+// A layer's label as a part of a new one: without the suffix of its file, and without dots. MeshLab
+// takes what follows a dot for a suffix: "a.ply union b.ply" it would save as a.ply, over the
+// operand, and a second layer of that label it would call "a(1).ply".
+std::string nameInLabel(std::string label);
+
+// The label of a block's layer: "A union B", "B minus A".
+std::string blockLabel(Operation operation, const std::string& first, const std::string& second);
+
+// The pieces that a split can give, in the order of the new layers.
+enum class PieceKind : std::uint8_t { SubSurfacesOfFirst, SubSurfacesOfSecond, SubBlocks };
+constexpr int kPieceKindCount = 3;
+
+// Their parameters and result keys.
+constexpr std::array<const char*, kPieceKindCount> kPieceNames{
+    {"sub_surfaces_first", "sub_surfaces_second", "sub_blocks"}};
+
+// The label of a layer of pieces: "A cut by B", "B cut by A", "A blocks B".
+std::string splitLabel(PieceKind kind, const std::string& first, const std::string& second);
+
+// The label of the polylines' layer: "A curves B".
+std::string curvesLabel(const std::string& first, const std::string& second);
+
+extern const char* const kPluginName;
+extern const char* const kVendor;
+
+}  // namespace index_boolean

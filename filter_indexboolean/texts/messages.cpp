@@ -1,0 +1,271 @@
+// SPDX-FileCopyrightText: 2026 The Index Boolean authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The remedies are a table with one row for each StatusCode; the defect itself is described by the
+// core, which knows its count and place.
+#include "texts/messages.h"
+
+#include <locale>
+#include <sstream>
+
+namespace index_boolean {
+
+namespace {
+
+// What a sentence is about decides how it begins.
+enum class Subject { OneLayer, BothLayers, Run };
+
+struct Remedy {
+	StatusCode code;
+	Subject subject;
+	const char* text;
+};
+
+constexpr std::array<Remedy, kStatusCodeCount> kRemedies{{
+    {StatusCode::Ok, Subject::Run, ""},
+    {StatusCode::Cancelled, Subject::Run, "Run the filter again to get the blocks."},
+    {StatusCode::OutOfMemory, Subject::Run,
+     "Ask for fewer blocks at a time, or make the layers smaller with "
+     "\"Simplification: Quadric Edge Collapse Decimation\" "
+     "(meshing_decimation_quadric_edge_collapse)."},
+    {StatusCode::EmptyOperand, Subject::OneLayer,
+     "Choose a layer with faces; a surface can be made from points by \"Surface Reconstruction: "
+     "Screened Poisson\" (generate_surface_reconstruction_screened_poisson)."},
+    {StatusCode::NotFinite, Subject::OneLayer,
+     "They are selected. Delete them with \"Delete Selected Faces and Vertices\" "
+     "(meshing_remove_selected_vertices_and_faces), then close the holes with \"Close Holes\" "
+     "(meshing_close_holes); or correct the layer's matrix."},
+    {StatusCode::IndexOutOfRange, Subject::OneLayer,
+     "They are selected. Delete them with \"Delete Selected Faces\" "
+     "(meshing_remove_selected_faces), then close the holes with \"Close Holes\" "
+     "(meshing_close_holes)."},
+    {StatusCode::TooLarge, Subject::BothLayers,
+     "Make them smaller with \"Simplification: Quadric Edge Collapse Decimation\" "
+     "(meshing_decimation_quadric_edge_collapse)."},
+    {StatusCode::NotClosed, Subject::OneLayer,
+     "The faces at these edges are selected. Union, intersection and differences need a closed "
+     "surface: close it with \"Close Holes\" (meshing_close_holes), or use "
+     "generate_index_boolean_split (\"Index Boolean: Split into Sub-surfaces and Sub-blocks\"), "
+     "the filter for open surfaces."},
+    {StatusCode::NotOriented, Subject::OneLayer,
+     "The faces at these edges are selected. Make the orientation consistent with \"Re-Orient all "
+     "faces coherently\" (meshing_re_orient_faces_coherently)."},
+    {StatusCode::NoVolume, Subject::OneLayer,
+     "It is flat, or each of its faces is there in both directions. \"Remove Duplicate Faces\" "
+     "(meshing_remove_duplicate_faces) removes doubled faces."},
+    {StatusCode::NestedComponents, Subject::OneLayer,
+     "Their faces are selected. Turn components that are inside out with \"Invert Faces "
+     "Orientation\" (meshing_invert_face_orientation) on the selection; unite components that lie "
+     "inside each other first, as two layers."},
+    {StatusCode::SelfIntersecting, Subject::OneLayer,
+     "The faces found are selected. Set check_self_intersections to have all of them found; "
+     "\"Select Self Intersecting Faces\" (compute_selection_by_self_intersections_per_face) shows "
+     "those that cross. Delete them and close the holes with \"Close Holes\" "
+     "(meshing_close_holes); or, where components overlap each other, part them with \"Split in "
+     "Connected Components\" (generate_splitting_by_connected_components) and unite them by this "
+     "filter."},
+    {StatusCode::InternalError, Subject::Run,
+     "Nothing was changed: no result is better than a wrong one. Both layers, as they are, belong "
+     "to the report."},
+}};
+
+constexpr bool rowsAreInOrder() {
+	for (std::size_t i = 0; i < kRemedies.size(); ++i) {
+		if (static_cast<std::size_t>(kRemedies[i].code) != i)
+			return false;
+	}
+	return true;
+}
+static_assert(rowsAreInOrder(), "a row for each StatusCode, in its order");
+
+std::string quoted(const LayerName& layer) {
+	return "\"" + layer.label + "\" (id " + std::to_string(layer.id) + ")";
+}
+
+std::string counted(std::size_t count, const char* noun) {
+	return std::to_string(count) + " " + noun + (count == 1 ? "" : "s");
+}
+
+// Six significant digits, whatever the program's locale.
+std::string decimal(double number) {
+	std::ostringstream text;
+	text.imbue(std::locale::classic());
+	text << number;
+	return text.str();
+}
+
+// What describe(status) goes on from: the name of one layer, or a heading for its whole sentence.
+std::string subjectOf(const Remedy& remedy, const Status& status, const LayerNames& layers) {
+	switch (remedy.subject) {
+	case Subject::OneLayer:
+		return "Layer " + quoted(layers[status.operand == 1 ? 1 : 0]) + " ";
+	case Subject::BothLayers:
+		return "Layers " + quoted(layers[0]) + " and " + quoted(layers[1]) + ": ";
+	case Subject::Run:
+		break;
+	}
+	return "Index Boolean: ";
+}
+
+}  // namespace
+
+std::string refusalMessage(const Status& status, const LayerNames& layers) {
+	const Remedy& remedy = kRemedies[static_cast<std::size_t>(status.code)];
+	return subjectOf(remedy, status, layers) + describe(status) + ". " + remedy.text;
+}
+
+std::string unknownLayerMessage(const ParameterDefinition& parameter, int id) {
+	return std::string("There is no layer with id ") + std::to_string(id) + ", which is given as " +
+	       parameter.name + ". Choose a layer of the document.";
+}
+
+std::string sameLayerMessage(const LayerName& layer) {
+	return "Layer " + quoted(layer) +
+	       " is given as both first_mesh and second_mesh. Choose two layers; a layer is copied "
+	       "with \"Duplicate Current layer\" (generate_copy_of_current_mesh).";
+}
+
+std::string outOfRangeMessage(const ParameterDefinition& parameter, int value) {
+	return std::string(parameter.name) + " is " + std::to_string(value) +
+	       ". Choose a number from " + std::to_string(parameter.minimum) + " to " +
+	       std::to_string(parameter.maximum) + ".";
+}
+
+std::string nothingRequestedMessage() {
+	std::string names;
+	for (const BlockDefinition& block : kBlockDefinitions)
+		names += std::string(names.empty() ? "" : ", ") + operationName(block.operation);
+	return "No block is asked for. Set at least one of these to true: " + names + ".";
+}
+
+std::string unexpectedMessage(const char* what) {
+	return std::string("Index Boolean stopped on an unexpected error (") + what +
+	       "). Nothing was changed.";
+}
+
+std::string turnedMessage(const LayerName& layer) {
+	return "Layer " + quoted(layer) +
+	       " is inside out, or mirrored by its matrix: its faces were taken right side out.";
+}
+
+std::string duplicatesMessage(const LayerName& layer, std::size_t takenOnce,
+                              std::size_t cancelledPairs) {
+	std::string text = "Layer " + quoted(layer) + " has faces on the same three vertices: ";
+	if (takenOnce > 0)
+		text += counted(takenOnce, "duplicate face") + (takenOnce == 1 ? " was" : " were") +
+		        " taken once";
+	if (cancelledPairs > 0)
+		text +=
+		    (takenOnce > 0 ? ", " : "") + counted(cancelledPairs, "opposite pair") + " cancelled";
+	return text + ".";
+}
+
+std::string lackingAttributesMessage(const LayerName& layer,
+                                     const std::vector<std::string>& attributes) {
+	std::string list = attributes.front();
+	for (std::size_t i = 1; i < attributes.size(); ++i)
+		list += (i + 1 == attributes.size() ? " and " : ", ") + attributes[i];
+	return "Layer " + quoted(layer) + " has no " + list +
+	       ": what comes of it has MeshLab's default there.";
+}
+
+std::string blockMessage(const Block& block, const BlockMeasure& measure,
+                         const LayerNames& layers) {
+	return "\"" + blockLabel(block.operation, layers[0].label, layers[1].label) +
+	       "\": " + counted(block.triangles.size(), "face") + ", " +
+	       counted(measure.components, "component") + ", volume " + decimal(measure.volume) +
+	       ", area " + decimal(measure.area) + ".";
+}
+
+std::string curvesMessage(const CurveLines& curves, const LoopCounts& counts,
+                          const LayerNames& layers) {
+	const std::string label = "\"" + curvesLabel(layers[0].label, layers[1].label) + "\"";
+	if (curves.lines.empty())
+		return label + " is empty: the layers do not meet in a line.";
+	double length = 0;
+	for (const CurveLine& line : curves.lines)
+		length += line.length;
+	return label + ": " + counted(curves.lines.size(), "loop") + " (" +
+	       std::to_string(counts.open) + " open, " + std::to_string(counts.hardClosed) +
+	       " hard-closed, " + std::to_string(counts.softClosed) + " soft-closed), length " +
+	       decimal(length) + ".";
+}
+
+std::string noPiecesRequestedMessage() {
+	std::string names;
+	for (const char* name : kPieceNames)
+		names += std::string(names.empty() ? "" : ", ") + name;
+	return "No piece is asked for. Set at least one of these to true: " + names + ".";
+}
+
+std::string subSurfacesMessage(const SplitResult& result, std::size_t operand,
+                               const LayerNames& layers) {
+	std::size_t shared = 0, oneSided = 0, separating = 0;
+	double area = 0;
+	for (const SubSurfaceId id : result.split.surfaces.ofOperand[operand]) {
+		const SubSurface& surface = at(result.split.surfaces.all, id);
+		shared += surface.isPublic() ? 1 : 0;
+		oneSided += surface.oneSided ? 1 : 0;
+		separating += at(result.split.blocks.separates, id) != 0 ? 1 : 0;
+		area += surface.area;
+	}
+	const std::size_t count = result.surfaceCount(operand);
+	const PieceKind kind =
+	    operand == 0 ? PieceKind::SubSurfacesOfFirst : PieceKind::SubSurfacesOfSecond;
+	return "\"" + splitLabel(kind, layers[0].label, layers[1].label) +
+	       "\": " + counted(count, "sub-surface") + " (" + std::to_string(count - shared) +
+	       " private, " + std::to_string(shared) + " public; " + std::to_string(separating) +
+	       " separating" +
+	       (oneSided > 0 ? ", " + std::to_string(oneSided) + " one-sided" : std::string()) +
+	       "), area " + decimal(area) + ".";
+}
+
+std::string subBlocksMessage(const SplitResult& result, const LayerNames& layers) {
+	const std::string label =
+	    "\"" + splitLabel(PieceKind::SubBlocks, layers[0].label, layers[1].label) + "\"";
+	if (result.split.blocks.all.empty())
+		return label + " is empty: the layers bound no part of space.";
+	double volume = 0;
+	for (const SubBlock& block : result.split.blocks.all)
+		volume += block.volume;
+	return label + ": " + counted(result.split.blocks.all.size(), "sub-block") + ", volume " +
+	       decimal(volume) + ".";
+}
+
+std::string tooManyLayersMessage(std::size_t pieces, std::size_t maxLayers) {
+	return "There are " + std::to_string(pieces) + " pieces, more than max_layers (" +
+	       std::to_string(maxLayers) +
+	       "): all pieces of a kind are in one layer, told apart by the attributes sub_surface and "
+	       "sub_block and by their colours.";
+}
+
+std::string timeMessage(double totalSeconds, double coreSeconds) {
+	return "Index Boolean took " + decimal(totalSeconds) + " s, " + decimal(coreSeconds) +
+	       " s of it without reading and writing layers.";
+}
+
+std::string emptyBlockMessage(Operation operation, const LayerNames& layers) {
+	const std::string first = quoted(layers[0]), second = quoted(layers[1]);
+	std::string reason;
+	switch (operation) {
+	case Operation::Union:
+		reason = "neither layer encloses anything";
+		break;
+	case Operation::Intersection:
+		reason = "the layers are disjoint";
+		break;
+	case Operation::FirstMinusSecond:
+		reason = first + " lies within " + second;
+		break;
+	case Operation::SecondMinusFirst:
+		reason = second + " lies within " + first;
+		break;
+	case Operation::SymmetricDifference:
+		reason = "the layers enclose the same solid";
+		break;
+	}
+	return "\"" + blockLabel(operation, layers[0].label, layers[1].label) +
+	       "\" is empty: " + reason + ".";
+}
+
+}  // namespace index_boolean

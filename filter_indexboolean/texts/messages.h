@@ -1,0 +1,73 @@
+// SPDX-FileCopyrightText: 2026 The Index Boolean authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// in: what happened (a Status, an unusable parameter, a finding); out: the sentences that the user
+// reads. Each refusal names the layer, the defect, how many, where, and what to do about it.
+#pragma once
+
+#include "runs/split_run.h"
+#include "texts/filter_definitions.h"
+
+#include <vcg_ext/index_boolean.h>
+
+#include <array>
+#include <string>
+#include <vector>
+
+namespace index_boolean {
+
+// How a layer is called in sentences.
+struct LayerName {
+	std::string label;
+	int id;
+};
+using LayerNames = std::array<LayerName, 2>;
+
+// Why the run was refused. The status is not Ok.
+std::string refusalMessage(const Status& status, const LayerNames& layers);
+
+// The parameter names a layer that the document does not have.
+std::string unknownLayerMessage(const ParameterDefinition& parameter, int id);
+std::string sameLayerMessage(const LayerName& layer);
+std::string outOfRangeMessage(const ParameterDefinition& parameter, int value);
+std::string nothingRequestedMessage();
+
+// An exception of the host or the standard library, which no input should lead to.
+std::string unexpectedMessage(const char* what);
+
+// The core has turned the layer's faces: it was inside out, or its matrix mirrors it.
+std::string turnedMessage(const LayerName& layer);
+
+// Faces of the layer on the same three vertices as others have been left out: `takenOnce` that are
+// equal to another, `cancelledPairs` of opposite ones. Not both are 0.
+std::string duplicatesMessage(const LayerName& layer, std::size_t takenOnce,
+                              std::size_t cancelledPairs);
+
+// The layer does not carry these attributes, which the other one does. At least one.
+std::string lackingAttributesMessage(const LayerName& layer,
+                                     const std::vector<std::string>& attributes);
+
+// What a block is like, for those who see the log and not the result map.
+std::string blockMessage(const Block& block, const BlockMeasure& measure, const LayerNames& layers);
+
+// How many loops the curve has, of which kinds, and how long it is.
+std::string curvesMessage(const CurveLines& curves, const LoopCounts& counts,
+                          const LayerNames& layers);
+
+std::string noPiecesRequestedMessage();
+
+// How many pieces there are and of which kinds.
+std::string subSurfacesMessage(const SplitResult& result, std::size_t operand,
+                               const LayerNames& layers);
+std::string subBlocksMessage(const SplitResult& result, const LayerNames& layers);
+
+// Why the pieces have not got a layer each.
+std::string tooManyLayersMessage(std::size_t pieces, std::size_t maxLayers);
+
+// How long the run took: as a whole, and its arithmetic.
+std::string timeMessage(double totalSeconds, double coreSeconds);
+
+// The block has no face: says what that means for the two layers.
+std::string emptyBlockMessage(Operation operation, const LayerNames& layers);
+
+}  // namespace index_boolean

@@ -1,0 +1,425 @@
+// SPDX-FileCopyrightText: 2026 The Index Boolean authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Pairs of faces against brute force: every two faces whose boxes touch or overlap, in the doubles
+// as given, are listed once, unless the plane of one parts them; a pair more is one whose boxes
+// differ by a float's rounding only.
+#include "core/shapes.h"
+
+#include <vcg_ext/arrange/octree_pairs.h>
+#include <vcg_ext/exact/exact_sign.h>
+
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <mutex>
+#include <random>
+
+using namespace index_boolean;
+using shapes::Mesh;
+
+namespace {
+
+using Pairs = std::vector<std::pair<std::uint32_t, std::uint32_t>>;
+
+Pairs found(const MeshArrays& mesh, const Options& options = {}) {
+	Monitor monitor;
+	std::vector<FacePair> pairs;
+	const Status status = findPairs(mesh, options, monitor, pairs);
+	EXPECT_EQ(status.code, StatusCode::Ok);
+	Pairs result;
+	for (const FacePair& pair : pairs)
+		result.emplace_back(pair.a.value, pair.b.value);
+	return result;
+}
+
+struct Box {
+	Point lo, hi;
+};
+
+std::vector<Box> faceBoxes(const MeshArrays& mesh) {
+	std::vector<Box> boxes;
+	for (const Triangle& t : mesh.triangles) {
+		Box box{at(mesh.points, t[0]), at(mesh.points, t[0])};
+		for (const VertexId v : t) {
+			for (std::size_t axis = 0; axis < 3; ++axis) {
+				box.lo[axis] = std::min(box.lo[axis], at(mesh.points, v)[axis]);
+				box.hi[axis] = std::max(box.hi[axis], at(mesh.points, v)[axis]);
+			}
+		}
+		boxes.push_back(box);
+	}
+	return boxes;
+}
+
+// The widest gap between two boxes along an axis; at most 0 if they touch or overlap.
+double gap(const Box& a, const Box& b) {
+	double widest = -std::numeric_limits<double>::infinity();
+	for (std::size_t axis = 0; axis < 3; ++axis)
+		widest = std::max({widest, b.lo[axis] - a.hi[axis], a.lo[axis] - b.hi[axis]});
+	return widest;
+}
+
+// Half of the longest side of the box that both operands have in common.
+double halfSizeOfCommonBox(const MeshArrays& mesh) {
+	double half = 0;
+	for (std::size_t axis = 0; axis < 3; ++axis) {
+		double lo = -std::numeric_limits<double>::infinity();
+		double hi = -lo;
+		for (std::size_t k = 0; k < 2; ++k) {
+			double first = mesh.points[mesh.vertexBegin[k]][axis];
+			double last = first;
+			for (std::size_t v = mesh.vertexBegin[k]; v < mesh.vertexBegin[k + 1]; ++v) {
+				first = std::min(first, mesh.points[v][axis]);
+				last = std::max(last, mesh.points[v][axis]);
+			}
+			lo = std::max(lo, first);
+			hi = std::min(hi, last);
+		}
+		half = std::max(half, hi / 2 - lo / 2);
+	}
+	return half;
+}
+
+// Whether the corners of `face` lie strictly on one side of the plane of `plane`.
+bool parts(const MeshArrays& mesh, std::uint32_t plane, std::uint32_t face) {
+	const Triangle& p = mesh.triangles[plane];
+	int sum = 0;
+	for (const VertexId v : mesh.triangles[face])
+		sum += orient3d(at(mesh.points, p[0]), at(mesh.points, p[1]), at(mesh.points, p[2]),
+		                at(mesh.points, v));
+	return sum == 3 || sum == -3;
+}
+
+bool apart(const MeshArrays& mesh, std::uint32_t a, std::uint32_t b) {
+	return parts(mesh, a, b) || parts(mesh, b, a);
+}
+
+// Checks the list of pairs, under several options, against all pairs. \return the number of those
+// whose boxes meet
+std::size_t expectAllPairs(const Mesh& first, const Mesh& second) {
+	const MeshArrays mesh = shapes::arrays(first, second);
+	const std::vector<Box> boxes = faceBoxes(mesh);
+	Pairs expected;
+	std::size_t boxesMeet = 0;
+	for (std::uint32_t a = 0; a < mesh.faceBegin[1]; ++a) {
+		for (std::uint32_t b = mesh.faceBegin[1]; b < mesh.faceBegin[2]; ++b) {
+			if (gap(boxes[a], boxes[b]) > 0)
+				continue;
+			++boxesMeet;
+			if (!apart(mesh, a, b))
+				expected.emplace_back(a, b);
+		}
+	}
+	const Pairs pairs = found(mesh);
+	EXPECT_TRUE(std::is_sorted(pairs.begin(), pairs.end()));
+	EXPECT_EQ(std::adjacent_find(pairs.begin(), pairs.end()), pairs.end()) << "a pair twice";
+	EXPECT_TRUE(std::includes(pairs.begin(), pairs.end(), expected.begin(), expected.end()));
+	const double rounding = std::ldexp(halfSizeOfCommonBox(mesh), -22);
+	for (const auto& [a, b] : pairs)
+		EXPECT_LE(gap(boxes[a], boxes[b]), rounding) << a << ' ' << b;
+	for (const auto& [depth, leafSize, threads] :
+	     {std::array{1, 0, 1}, {20, 1, 1}, {20, 0, 8}, {3, 40, 2}, {12, 1000, 1}, {7, 2, 2}}) {
+		Options options;
+		options.octreeMaxDepth = depth;
+		options.octreeLeafSize = leafSize;
+		options.threads = threads;
+		EXPECT_EQ(found(mesh, options), pairs) << depth << ' ' << leafSize << ' ' << threads;
+	}
+	return boxesMeet;
+}
+
+// Triangles, each with its own vertices, with corners up to `reach` about a centre.
+template <class Centre>
+Mesh triangleSoup(std::size_t count, double reach, std::mt19937& random, Centre centre) {
+	std::uniform_real_distribution<double> offset(-reach, reach);
+	Mesh mesh;
+	for (std::size_t i = 0; i < count; ++i) {
+		const Point c = centre();
+		const auto first = static_cast<std::uint32_t>(mesh.points.size());
+		for (int corner = 0; corner < 3; ++corner)
+			mesh.points.push_back(
+			    {c[0] + offset(random), c[1] + offset(random), c[2] + offset(random)});
+		mesh.triangles.push_back({first, first + 1, first + 2});
+	}
+	return mesh;
+}
+
+Mesh uniformSoup(std::size_t count, double reach, std::mt19937& random) {
+	std::uniform_real_distribution<double> place(-1, 1);
+	return triangleSoup(count, reach, random, [&]() -> Point {
+		return {place(random), place(random), place(random)};
+	});
+}
+
+Mesh mapped(Mesh mesh, double scale, Point offset) {
+	for (Point& p : mesh.points) {
+		for (std::size_t axis = 0; axis < 3; ++axis)
+			p[axis] = p[axis] * scale + offset[axis];
+	}
+	return mesh;
+}
+
+// `count` triangles around one vertex, their other corners on a circle about it.
+Mesh fan(std::uint32_t count, Point apex, double radius, double height) {
+	Mesh mesh;
+	mesh.points.push_back(apex);
+	for (std::uint32_t i = 0; i < count; ++i) {
+		const double angle = 2 * shapes::kPi * i / count;
+		mesh.points.push_back({apex[0] + radius * std::cos(angle),
+		                       apex[1] + radius * std::sin(angle), apex[2] + height});
+		mesh.triangles.push_back({0, i + 1, i + 1 == count ? 1 : i + 2});
+	}
+	return mesh;
+}
+
+// A square wall in the plane axis = place, of 2 n n triangles on a grid of dyadic numbers.
+Mesh wall(std::size_t axis, double place, std::uint32_t n) {
+	Mesh mesh;
+	for (std::uint32_t i = 0; i <= n; ++i) {
+		for (std::uint32_t j = 0; j <= n; ++j) {
+			Point p{};
+			p[axis] = place;
+			p[(axis + 1) % 3] = 2.0 * i / n - 1;
+			p[(axis + 2) % 3] = 2.0 * j / n - 1;
+			mesh.points.push_back(p);
+		}
+	}
+	for (std::uint32_t i = 0; i < n; ++i) {
+		for (std::uint32_t j = 0; j < n; ++j) {
+			const std::uint32_t v = i * (n + 1) + j;
+			mesh.triangles.push_back({v, v + n + 1, v + n + 2});
+			mesh.triangles.push_back({v, v + n + 2, v + 1});
+		}
+	}
+	return mesh;
+}
+
+Mesh singleTriangle(Point p, Point q, Point r) { return {{p, q, r}, {{0, 1, 2}}}; }
+
+}  // namespace
+
+TEST(OctreePairs, smallTrianglesAgreeWithBruteForce) {
+	for (unsigned seed = 1; seed <= 6; ++seed) {
+		SCOPED_TRACE(seed);
+		std::mt19937 random(seed);
+		const Mesh a = uniformSoup(1500, 0.05, random);
+		EXPECT_GT(expectAllPairs(a, uniformSoup(1500, 0.05, random)), 100U);
+	}
+}
+
+TEST(OctreePairs, longTrianglesAgreeWithBruteForce) {
+	for (unsigned seed = 1; seed <= 4; ++seed) {
+		SCOPED_TRACE(seed);
+		std::mt19937 random(seed);
+		const Mesh a = uniformSoup(400, 1, random);
+		EXPECT_GT(expectAllPairs(a, uniformSoup(400, 1, random)), 10000U);
+	}
+}
+
+TEST(OctreePairs, fewHugeAgainstManySmallAgreeWithBruteForce) {
+	std::mt19937 random(3);
+	const Mesh huge = uniformSoup(5, 4, random);
+	const Mesh small = uniformSoup(5000, 0.02, random);
+	EXPECT_GT(expectAllPairs(huge, small), 1000U);
+	EXPECT_GT(expectAllPairs(small, huge), 1000U);
+}
+
+TEST(OctreePairs, clustersFarFromEachOtherAgreeWithBruteForce) {
+	std::mt19937 random(7);
+	std::normal_distribution<double> normal(0, 1e-4);
+	const auto cluster = [&]() -> Point {
+		const double corner = (random() & 1U) != 0 ? 0.7 : -0.7;
+		return {corner + normal(random), corner + normal(random), corner + normal(random)};
+	};
+	const Mesh a = triangleSoup(1500, 1e-5, random, cluster);
+	EXPECT_GT(expectAllPairs(a, triangleSoup(1500, 1e-5, random, cluster)), 100U);
+}
+
+TEST(OctreePairs, wallsInThePlanesBetweenNodesAgreeWithBruteForce) {
+	for (std::size_t axis = 0; axis < 3; ++axis) {
+		SCOPED_TRACE(axis);
+		EXPECT_GT(expectAllPairs(wall(axis, 0, 16), wall(axis, 0, 8)), 512U);
+		EXPECT_GT(expectAllPairs(wall(axis, 0.5, 16), wall((axis + 1) % 3, -0.25, 16)), 64U);
+		EXPECT_GT(expectAllPairs(wall(axis, 1, 8), wall((axis + 2) % 3, -1, 8)), 16U);
+	}
+}
+
+TEST(OctreePairs, gridCoordinatesWithManyTiesAgreeWithBruteForce) {
+	for (unsigned seed = 1; seed <= 6; ++seed) {
+		SCOPED_TRACE(seed);
+		std::mt19937 random(seed);
+		Mesh a = uniformSoup(600, 0.3, random);
+		Mesh b = uniformSoup(600, 0.3, random);
+		for (Mesh* mesh : {&a, &b}) {
+			for (Point& p : mesh->points) {
+				for (double& x : p)
+					x = std::round(x * 8) / 8;
+			}
+		}
+		EXPECT_GT(expectAllPairs(a, b), 1000U);
+	}
+}
+
+TEST(OctreePairs, facesAroundOneVertexAgreeWithBruteForce) {
+	std::mt19937 random(5);
+	EXPECT_GT(expectAllPairs(fan(3000, {0, 0, 0}, 1, 0.1), uniformSoup(500, 0.2, random)), 1000U);
+	EXPECT_GT(expectAllPairs(fan(700, {0, 0, 0}, 1, 0.1), fan(500, {0, 0, 0}, 0.9, -0.1)), 10000U);
+	EXPECT_GT(expectAllPairs(fan(700, {0.3, 0, 0}, 1, 0.1), fan(500, {0.3, 1e-9, 0}, 1, 0.2)),
+	          10000U);
+}
+
+TEST(OctreePairs, closedSurfacesAgreeWithBruteForce) {
+	const Mesh sphere = shapes::sphere(20, {0, 0, 0}, 1);
+	EXPECT_GT(expectAllPairs(sphere, shapes::sphere(24, {0.7, 0.3, 0.1}, 1)), 100U);
+	EXPECT_GT(expectAllPairs(sphere, sphere), 1520U);
+	EXPECT_GT(expectAllPairs(shapes::box({-2, -0.1, -0.1}, {2, 0.1, 0.1}), sphere), 50U);
+}
+
+TEST(OctreePairs, coordinatesAtTheLimitsOfDoubleAgreeWithBruteForce) {
+	std::mt19937 random(11);
+	const Mesh a = uniformSoup(500, 0.05, random);
+	const Mesh b = uniformSoup(500, 0.05, random);
+	for (const double scale : {1.7e308, 1e300, 1e30, 1e-30, 1e-300, 1e-310, 1e-320}) {
+		SCOPED_TRACE(scale);
+		expectAllPairs(mapped(a, scale / 1.06, {0, 0, 0}), mapped(b, scale / 1.06, {0, 0, 0}));
+	}
+	expectAllPairs(mapped(a, 1.6e308, {0, 0, 0}), mapped(b, 1e-300, {0, 0, 0}));
+}
+
+TEST(OctreePairs, placesFarFromTheOriginAddNoPairs) {
+	std::mt19937 random(13);
+	const Mesh a = uniformSoup(800, 0.05, random);
+	const Mesh b = uniformSoup(800, 0.05, random);
+	for (const double offset : {1e6, 1e12}) {
+		SCOPED_TRACE(offset);
+		const Point place = {offset, -offset, offset / 3};
+		expectAllPairs(mapped(a, 1, place), mapped(b, 1, place));
+	}
+}
+
+// In general position rounding leaves no doubt, so what a plane parts is never listed.
+TEST(OctreePairs, facesThatAPlanePartsAreNoPair) {
+	std::mt19937 random(17);
+	const Mesh a = uniformSoup(400, 0.5, random);
+	const MeshArrays mesh = shapes::arrays(a, uniformSoup(400, 0.5, random));
+	const Pairs pairs = found(mesh);
+	EXPECT_GT(pairs.size(), 1000U);
+	for (const auto& [first, second] : pairs)
+		EXPECT_FALSE(apart(mesh, first, second)) << first << ' ' << second;
+}
+
+TEST(OctreePairs, boxesThatTouchArePairs) {
+	const Mesh a = singleTriangle({-1, -1, -1}, {0, 0, 0}, {-1, 0, -1});
+	EXPECT_EQ(expectAllPairs(a, singleTriangle({0, 0, 0}, {1, 1, 1}, {1, 0, 1})), 1U);
+	EXPECT_EQ(expectAllPairs(a, singleTriangle({-0.0, 0, 0}, {1, -1, 1}, {1, -1, 1})), 1U);
+	const double beyond = std::numeric_limits<double>::denorm_min();
+	EXPECT_EQ(expectAllPairs(a, singleTriangle({beyond, 0, 0}, {1, 1, 1}, {1, 0, 1})), 0U);
+}
+
+TEST(OctreePairs, operandsApartHaveNoPairs) {
+	const Mesh a = shapes::sphere(10, {0, 0, 0}, 1);
+	EXPECT_TRUE(found(shapes::arrays(a, shapes::sphere(10, {3, 0, 0}, 1))).empty());
+	EXPECT_TRUE(found(shapes::arrays(a, shapes::sphere(10, {1.9, 1.9, 1.9}, 1))).empty());
+}
+
+TEST(OctreePairs, verticesWithoutFacesAreIgnored) {
+	Mesh a = shapes::sphere(10, {0, 0, 0}, 1);
+	Mesh b = shapes::sphere(10, {1, 0.2, 0.1}, 1);
+	const Pairs pairs = found(shapes::arrays(a, b));
+	const double infinity = std::numeric_limits<double>::infinity();
+	const double nan = std::numeric_limits<double>::quiet_NaN();
+	for (Mesh* mesh : {&a, &b}) {
+		mesh->points.push_back({nan, nan, nan});
+		mesh->points.push_back({infinity, infinity, infinity});
+		mesh->points.push_back({-infinity, -infinity, -infinity});
+	}
+	EXPECT_EQ(found(shapes::arrays(a, b)), pairs);
+}
+
+TEST(OctreePairs, listDoesNotDependOnTheThreads) {
+	const Mesh a = shapes::sphere(160, {0, 0, 0}, 1);
+	const MeshArrays mesh = shapes::arrays(a, shapes::sphere(170, {0.1, 0.03, 0.02}, 1));
+	Options options;
+	options.threads = 1;
+	const Pairs pairs = found(mesh, options);
+	EXPECT_GT(pairs.size(), 5000U);
+	for (const int threads : {0, 2, 3, 8}) {
+		options.threads = threads;
+		for (int repeat = 0; repeat < 3; ++repeat)
+			EXPECT_EQ(found(mesh, options), pairs) << threads;
+	}
+}
+
+// The faces of one soup, with boxes as floats from -1.5 to 1.5, where no rounding can tell apart
+// what meets.
+TEST(OctreePairs, pairsOfOneSurfaceAgreeWithBruteForce) {
+	for (unsigned seed = 1; seed <= 20; ++seed) {
+		SCOPED_TRACE(seed);
+		std::mt19937 random(seed);
+		Mesh soup = uniformSoup(100 * seed, 0.02 * seed, random);
+		for (Point& p : soup.points) {
+			for (double& x : p)
+				x = static_cast<double>(static_cast<float>(x));
+		}
+		const std::vector<Box> boxes = faceBoxes(shapes::arrays(soup, {}));
+		HugeVector<FaceBox> rounded(boxes.size());
+		Pairs expected;
+		for (std::uint32_t a = 0; a < boxes.size(); ++a) {
+			for (std::size_t axis = 0; axis < 3; ++axis) {
+				rounded[a].lo[axis] = static_cast<float>(boxes[a].lo[axis]);
+				rounded[a].hi[axis] = static_cast<float>(boxes[a].hi[axis]);
+			}
+			rounded[a].face = a;
+			for (std::uint32_t b = a + 1; b < boxes.size(); ++b) {
+				if (gap(boxes[a], boxes[b]) <= 0)
+					expected.emplace_back(a, b);
+			}
+		}
+		Options options;
+		options.octreeLeafSize = static_cast<int>(seed % 3);
+		Monitor monitor;
+		Pairs pairs;
+		std::mutex mutex;
+		const auto visit = [&](FacePair pair) {
+			const std::lock_guard<std::mutex> lock(mutex);
+			pairs.emplace_back(pair.a.value, pair.b.value);
+		};
+		EXPECT_TRUE(visitPairsWithin(rounded, 2, options, monitor, visit).ok());
+		std::sort(pairs.begin(), pairs.end());
+		EXPECT_EQ(pairs, expected);
+	}
+}
+
+// One leaf in which most pairs meet along the sweep's axis, whichever it is, but never in space:
+// the gap is smaller than a cell of the grid.
+TEST(OctreePairs, cancelIsHeardInsideOneLeaf) {
+	constexpr int kCount = 20000;
+	const auto add = [](Mesh& mesh, Point lo, Point hi) {
+		const auto first = static_cast<std::uint32_t>(mesh.points.size());
+		for (const Point& p : {lo, Point{hi[0], hi[1], lo[2]}, hi}) {
+			mesh.points.push_back(p);
+		}
+		mesh.triangles.push_back({first, first + 1, first + 2});
+	};
+	Mesh a, b;
+	add(a, {0.9, 0.9, 0.9}, {1, 1, 1});
+	for (int i = 0; i < kCount; ++i) {
+		add(a, {0, 0, 0}, {0.4, 0.4, 0.4});
+		Point lo{};
+		lo[static_cast<std::size_t>(i % 3)] = 0.4001;
+		add(b, lo, {1, 1, 1});
+	}
+	const MeshArrays mesh = shapes::arrays(a, b);
+	Options options;
+	options.octreeMaxDepth = 1;
+	for (const int threads : {1, 2}) {
+		options.threads = threads;
+		int calls = 0;
+		Monitor monitor([&calls](double, const char*) { return ++calls < 4; });
+		monitor.beginStage("pairs", 0, 1);
+		std::vector<FacePair> pairs;
+		EXPECT_EQ(findPairs(mesh, options, monitor, pairs).code, StatusCode::Cancelled);
+		EXPECT_EQ(calls, 4);
+	}
+}

@@ -1,0 +1,224 @@
+// SPDX-FileCopyrightText: 2026 The Index Boolean authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The arrangement: everything one intersection run knows, as plain arrays. Computed once; every
+// output (blocks, sub-surfaces, sub-blocks, curves) is read from it.
+#pragma once
+
+#include "vcg_ext/mesh/mesh_arrays.h"
+
+#include <string>
+
+namespace index_boolean {
+
+// The scalar that output coordinates are rounded to, once.
+enum class OutputScalar : std::uint8_t { Double, Float };
+
+struct Options {
+	int octreeMaxDepth = 12;  // 1 to 20
+	int octreeLeafSize = 0;   // 0: the cost rule; else a node with Na*Nb <= leafSize^2 is a leaf
+	int threads = 0;          // 0: as many as OpenMP gives
+	OutputScalar outputScalar = OutputScalar::Double;
+	bool mergeFragments = true;    // cuts that part nothing in a block leave no trace in it
+	bool mergeCoplanar = false;    // and coplanar neighbours become one face, as far as they can
+	bool weldNonManifold = false;  // where a block meets itself, it keeps one vertex, not copies
+	bool checkSelfIntersections = false;  // search each operand for faces that meet wrongly
+};
+
+// Counts of the maximal chains of intersection edges (the paper's loops).
+struct LoopCounts {
+	std::size_t open = 0;        // an end of degree one
+	std::size_t hardClosed = 0;  // a cycle without junction
+	std::size_t softClosed = 0;  // both ends are junctions
+};
+
+struct StageTime {
+	const char* stage;
+	double seconds;
+};
+
+// A point of contact is named by the pair of lowest simplices that meet there, one of each operand;
+// equal names are one point (unique, as long as no operand touches itself). Vertices of both
+// operands in one place have been welded: they are one vertex from the beginning.
+enum class PointKind : std::uint8_t {
+	Vertex,    // ids: a vertex common to both operands, or of one inside a face of the other
+	OnEdge,    // ids: vertex; lower, higher vertex of an edge of the other operand
+	EdgeEdge,  // ids: lower, higher vertex of the first operand's edge, then of the second's
+	EdgeFace,  // ids: lower, higher vertex of an edge; a face of the other operand
+};
+
+struct PointName {
+	PointKind kind;
+	std::uint8_t axis;  // EdgeEdge: where the edges are not parallel; not a part of the name
+	std::array<std::uint32_t, 4> ids;
+
+	friend bool operator==(const PointName& a, const PointName& b) {
+		return a.kind == b.kind && a.ids == b.ids;
+	}
+	friend bool operator<(const PointName& a, const PointName& b) {
+		return a.kind != b.kind ? a.kind < b.kind : a.ids < b.ids;
+	}
+};
+
+// One edge of the intersection curve. `crossing`: the faces a (of operand 0) and b (of operand 1)
+// cross there, inside both; then it is directed along normal(a) x normal(b): on a, the inside of
+// operand 1 is to its left; on b, the inside of operand 0 to its right. Else more faces meet there,
+// or the direction means nothing.
+struct Segment {
+	VertexId begin, end;
+	FaceId a, b;
+	bool crossing;
+};
+
+// A segment as one face sees it.
+struct FaceSegment {
+	FaceId face;
+	SegmentId segment;
+};
+
+// A line inside a face that its pieces must respect but that parts nothing: a diagonal of a
+// coplanar overlap, by which both operands' pieces there are the same triangles.
+struct FaceDiagonal {
+	FaceId face;
+	VertexId begin, end;
+};
+
+// An input edge with points on it, or with both ends on the other operand:
+// pointsOnEdges[first .. first + count) in order from `low` on. Its count + 1 intervals are
+// numbered from firstInterval on.
+struct CutEdge {
+	VertexId low, high;  // low < high
+	std::uint32_t first, count;
+	std::uint32_t firstInterval;
+};
+
+// The points of contact, the edges they lie on, and the segments between them. New points are
+// sorted by name, cut edges by their vertices, segments by their first pair of faces.
+struct Curve {
+	std::vector<PointName> names;       // of the new points
+	Points rounded;                     // their coordinates, correctly rounded to double
+	std::vector<std::uint8_t> onOther;  // per input vertex: it lies on the other operand
+	std::vector<FaceId> touchedFaces;   // sorted
+	std::vector<CutEdge> cutEdges;
+	std::vector<VertexId> pointsOnEdges;
+	std::vector<Segment> segments;
+	std::vector<FaceSegment> faceSegments;    // sorted by face
+	std::vector<FaceDiagonal> faceDiagonals;  // sorted by face
+	// Per input vertex and new point: on the curve, and more happens there than one edge passing
+	// through one face. Only there can a block meet itself, or a cut part nothing.
+	std::vector<std::uint8_t> irregular;
+
+	std::size_t pointCount() const { return names.size(); }
+	std::size_t intervalCount() const { return pointsOnEdges.size() + cutEdges.size(); }
+};
+
+// A label node: an input vertex, an interval of a cut edge (numbered after the vertices), or a
+// region of a touched face (numbered after the intervals).
+using NodeId = Id<struct NodeTag>;
+
+// A face that the other operand touches: pieces[firstPiece .. next one's), turned as the face is.
+struct CutFace {
+	FaceId face;
+	std::uint32_t firstPiece;
+};
+
+// The regions of one face to both sides of a segment on it; one of them is none() where the segment
+// lies on the face's border.
+struct SegmentSide {
+	SegmentId segment;
+	FaceId face;
+	NodeId left, right;
+};
+
+// Both surfaces refined by the curve.
+struct Refinement {
+	HugeVector<CutFace> cutFaces;  // sorted by face
+	Triangles pieces;
+	HugeVector<NodeId> pieceRegion;                 // per piece
+	HugeVector<SegmentSide> sides;                  // sorted by segment, then by face
+	HugeVector<std::array<NodeId, 2>> links;        // nodes that have one label: (region, other)
+	HugeVector<std::array<NodeId, 2>> cornerLinks;  // (region, corner on the other operand)
+	std::uint32_t nodeCount = 0;
+	std::vector<std::uint8_t> isCut;  // per face: it is one of cutFaces
+};
+
+// Where an element of one operand lies with respect to the other. On*: a piece of a face that lies
+// in the other's surface, whose normal there points the same way or the opposite way.
+enum class Label : std::uint8_t { Outside, Inside, OnSame, OnOpposite, OnVertex, Unused, Unknown };
+
+struct Labels {
+	std::vector<Label> vertex;  // per input vertex: Outside, Inside, OnVertex or Unused
+	std::vector<Label> piece;   // per piece: the first four
+	// Per piece labelled OnSame, as bits: in these blocks it stands for the overlap, and its twin,
+	// the other operand's piece on the same corners, does not. Empty if there is none.
+	static constexpr std::uint8_t kOwnerInUnion = 1, kOwnerInIntersection = 2;
+	std::vector<std::uint8_t> owner;
+	std::array<std::uint32_t, 2> components{};  // vertex-connected components of each operand
+};
+
+// One maximal chain of the curve, as consecutive points; the first is repeated at the end of a
+// closed one. Of each of its edges, from one point to the next: two faces that meet there, one of
+// each operand.
+enum class LoopKind : std::uint8_t { Open, HardClosed, SoftClosed };
+struct Loop {
+	LoopKind kind;
+	std::vector<VertexId> points;
+	std::vector<std::array<FaceId, 2>> faces;
+};
+
+// Faces of an operand on the same three vertices, which have been dropped.
+struct DuplicateFaces {
+	std::array<std::size_t, 2> cancelledPairs{};  // per operand: pairs of a face and its opposite
+	std::array<std::size_t, 2> takenOnce{};  // per operand: faces equal to another that is kept
+};
+
+// Which faces of the operands are one polygon. All arrays are empty if no face has a faux edge.
+struct Polygons {
+	std::vector<FaceId> polygon;  // per face: the first face of its polygon
+	std::vector<FaceId> flat;  // per face: the first of those faces of its polygon that lie in one
+	                           // plane and are joined to it within that plane
+	std::vector<std::array<VertexId, 2>>
+	    flatEdges;  // edges inside such a set: lower, higher; sorted
+};
+
+struct Arrangement {
+	Options options;
+	MeshArrays mesh;  // welded, without degenerate faces, right side out
+	Polygons polygons;
+	std::vector<std::uint32_t> faceGiven;  // per face: its index in the operand as given; see below
+	std::vector<VertexId> nonManifold;     // at which an operand is no manifold; ascending
+	std::array<bool, 2> seams{};           // vertices of the operand in one place have become one
+	std::array<bool, 2> closed{};          // each edge of the operand has as many faces each way
+	std::array<bool, 2> turned{};  // the operand is closed and was given inside out; for blocks it
+	                               // has been turned
+	DuplicateFaces duplicates;
+	std::array<double, 2> volume{};  // of each operand that is closed
+	Curve curve;
+	Refinement refinement;
+	std::vector<Loop> loops;
+	LoopCounts loopCounts;
+	Labels labels;
+	std::vector<StageTime> stageTimes;  // in the order of the stages
+
+	// The index of a face in its operand's triangles as given. faceGiven is empty while no face has
+	// been dropped or split.
+	std::uint32_t givenFace(FaceId f) const {
+		return faceGiven.empty() ? f.value - (mesh.operandOf(f) == 0 ? 0 : mesh.faceBegin[1])
+		                         : at(faceGiven, f);
+	}
+	VertexId vertexOf(PointId p) const {
+		return {static_cast<std::uint32_t>(mesh.points.size()) + p.value};
+	}
+	bool isCurvePoint(VertexId v) const { return v.value >= mesh.points.size(); }
+	PointId pointOf(VertexId v) const {
+		return {v.value - static_cast<std::uint32_t>(mesh.points.size())};
+	}
+	// Whether a vertex lies on the other operand: a new point, or an input vertex in contact.
+	bool isOnOther(VertexId v) const { return isCurvePoint(v) || at(curve.onOther, v) != 0; }
+	// Coordinates of an input vertex or of a curve point (rounded to double).
+	const Point& coordinates(VertexId v) const {
+		return isCurvePoint(v) ? at(curve.rounded, pointOf(v)) : at(mesh.points, v);
+	}
+};
+
+}  // namespace index_boolean

@@ -1,0 +1,290 @@
+// SPDX-FileCopyrightText: 2026 The Index Boolean authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Most meshes have no duplicates, so two passes over the faces first rule out nearly all of them: a
+// table of 64-bit words, of which a face sets two bits in the word of its smallest vertex.
+// Only faces that find both set, and those that share bits with such a face, are compared.
+#include "vcg_ext/arrange/duplicate_faces.h"
+
+#include "vcg_ext/arrange/self_intersecting.h"
+#include "vcg_ext/base/parallel.h"
+#include "vcg_ext/mesh/mesh_checks.h"
+
+#include <algorithm>
+
+namespace index_boolean {
+
+namespace {
+
+// A face by its vertices in ascending order, and whether it runs that way round.
+struct SortedFace {
+	std::array<std::uint32_t, 3> corners;
+	bool forward;
+	std::uint32_t face;
+
+	bool hasCornersOf(const SortedFace& other) const { return corners == other.corners; }
+};
+
+SortedFace sorted(const Triangle& t, std::uint32_t face) {
+	SortedFace result{{t[0].value, t[1].value, t[2].value}, true, face};
+	auto& c = result.corners;
+	for (const auto& [i, j] : {std::array<std::size_t, 2>{0, 1}, {1, 2}, {0, 1}}) {
+		if (c[i] > c[j]) {
+			std::swap(c[i], c[j]);
+			result.forward = !result.forward;
+		}
+	}
+	return result;
+}
+
+// The bits that faces have set, by their smallest vertices: neighbouring faces use words near to
+// each other.
+class FaceFilter {
+public:
+	// A word for each two faces: a closed surface has half as many vertices as faces.
+	explicit FaceFilter(std::size_t faceCount) {
+		std::size_t size = 16;
+		while (size < faceCount / 2)
+			size *= 2;
+		words_.assign(size, 0);
+	}
+
+	bool has(const Triangle& t) const {
+		const Bits bits = bitsOf(t);
+		return (words_[bits.word] & bits.mask) == bits.mask;
+	}
+
+	// \return whether the face's bits had been set before
+	bool add(const Triangle& t) {
+		const Bits bits = bitsOf(t);
+		const bool had = (words_[bits.word] & bits.mask) == bits.mask;
+		words_[bits.word] |= bits.mask;
+		return had;
+	}
+
+	void clear() { std::fill(words_.begin(), words_.end(), 0); }
+
+private:
+	struct Bits {
+		std::size_t word;
+		std::uint64_t mask;
+	};
+
+	// The same for any order of the corners.
+	Bits bitsOf(const Triangle& t) const {
+		const std::uint32_t a = t[0].value, b = t[1].value, c = t[2].value;
+		const std::uint64_t sum = std::uint64_t{a} + b + c;
+		const std::uint64_t hash = (sum << 32 | (a ^ b ^ c)) * 0xd6e8feb86659fd93U;
+		constexpr std::uint64_t kOne = 1;
+		return {std::min({a, b, c}) & (words_.size() - 1),
+		        kOne << (hash >> 58) | kOne << (hash >> 52 & 63)};
+	}
+
+	std::vector<std::uint64_t> words_;
+};
+
+// The duplicates of one operand: faces of the arrays, in no order.
+struct Duplicates {
+	std::vector<std::uint32_t> cancelling;  // pairs of opposite faces
+	std::vector<std::uint32_t> firsts;      // the first of each set of equal faces
+	std::vector<std::uint32_t> repeated;    // the others of these sets
+};
+
+// Faces that may be duplicates, by corners, then by index.
+std::vector<SortedFace> suspects(const MeshArrays& mesh, std::size_t operand, Monitor& monitor) {
+	const std::uint32_t begin = mesh.faceBegin[operand], end = mesh.faceBegin[operand + 1];
+	FaceFilter filter(end - begin);
+	std::vector<std::uint32_t> repeated;
+	for (std::uint32_t face = begin; face < end; ++face) {
+		if (filter.add(mesh.triangles[face]))
+			repeated.push_back(face);
+	}
+	std::vector<SortedFace> result;
+	if (repeated.empty() || pollCancelled(monitor))
+		return result;
+	filter.clear();
+	for (const std::uint32_t face : repeated)
+		filter.add(mesh.triangles[face]);
+	for (std::uint32_t face = begin; face < end; ++face) {
+		if (filter.has(mesh.triangles[face]))
+			result.push_back(sorted(mesh.triangles[face], face));
+	}
+	std::sort(result.begin(), result.end(), [](const SortedFace& p, const SortedFace& q) {
+		return p.corners != q.corners ? p.corners < q.corners : p.face < q.face;
+	});
+	return result;
+}
+
+// Takes the faces [begin, end) on the same corners: of each opposite pair the later faces go, of
+// what is left all but the first are repeated.
+void judge(const SortedFace* begin, const SortedFace* end, Duplicates& out) {
+	const auto forward = std::count_if(begin, end, [](const SortedFace& f) { return f.forward; });
+	const auto backward = end - begin - forward;
+	const bool majority = forward >= backward;
+	const auto left = std::max(forward, backward) - std::min(forward, backward);
+	auto keep = left;
+	for (; begin != end; ++begin) {
+		if (begin->forward != majority || keep == 0) {
+			out.cancelling.push_back(begin->face);
+			continue;
+		}
+		if (left > 1)
+			(keep == left ? out.firsts : out.repeated).push_back(begin->face);
+		--keep;
+	}
+}
+
+// Takes the faces [begin, end) on the same corners: all but one of them are repeated. If they are
+// turned both ways, it is one that runs through its corners in lexicographic order.
+void takeOnce(const MeshArrays& mesh, const SortedFace* begin, const SortedFace* end,
+              Duplicates& out) {
+	const auto isAscending = [&mesh](const SortedFace& f) {
+		const Triangle& t = mesh.triangles[f.face];
+		std::array<Point, 3> c{at(mesh.points, t[0]), at(mesh.points, t[1]), at(mesh.points, t[2])};
+		std::rotate(c.begin(), std::min_element(c.begin(), c.end()), c.end());
+		return c[1] < c[2];
+	};
+	const SortedFace* const ascending = std::find_if(begin, end, isAscending);
+	const SortedFace* const kept = ascending == end ? begin : ascending;
+	for (const SortedFace* f = begin; f != end; ++f) {
+		(f == kept ? out.firsts : out.repeated).push_back(f->face);
+	}
+}
+
+// Calls judgeFaces(begin, end, out) for all faces of an operand on the same corners.
+template <class JudgeFaces>
+void findDuplicates(const MeshArrays& mesh, std::size_t operand, Monitor& monitor,
+                    JudgeFaces&& judgeFaces, Duplicates& out) {
+	const std::vector<SortedFace> faces = suspects(mesh, operand, monitor);
+	for (std::size_t first = 0, next = 0; first < faces.size(); first = next) {
+		while (next < faces.size() && faces[next].hasCornersOf(faces[first]))
+			++next;
+		if (next - first > 1)
+			judgeFaces(&faces[first], &faces[first] + (next - first), out);
+	}
+}
+
+// The same for both operands, each on a thread.
+template <class JudgeFaces>
+Status findAllDuplicates(const Arrangement& arrangement, Monitor& monitor, JudgeFaces&& judgeFaces,
+                         std::array<Duplicates, 2>& out) {
+	const MeshArrays& mesh = arrangement.mesh;
+	const int threads = threadsForHalves(mesh.triangles.size(), arrangement.options.threads);
+	return parallelFor(2, 1, threads, monitor, [&](std::size_t begin, std::size_t end) {
+		for (std::size_t operand = begin; operand < end; ++operand)
+			findDuplicates(mesh, operand, monitor, judgeFaces, out[operand]);
+	});
+}
+
+// Equal faces without which the operand is open: the winding numbers on their two sides differ by
+// two or more, so the operand overlaps itself on one of them.
+Status refuse(const Arrangement& arrangement, std::size_t operand, const Duplicates& duplicates) {
+	const MeshArrays& mesh = arrangement.mesh;
+	const std::uint32_t first = duplicates.firsts.front();
+	std::vector<FaceId> faces;
+	for (const auto* list : {&duplicates.firsts, &duplicates.repeated}) {
+		for (const std::uint32_t face : *list)
+			faces.push_back({face});
+	}
+	return selfIntersecting(arrangement, static_cast<int>(operand), faces,
+	                        at(mesh.points, mesh.triangles[first][0]));
+}
+
+// Decides whether the repeated faces of an operand go, stay because the operand is open anyway, or
+// mean that it overlaps itself. Cancelling faces make no difference to closedness.
+Status judgeRepeated(const Arrangement& arrangement, std::size_t operand, Monitor& monitor,
+                     Duplicates& duplicates) {
+	if (duplicates.repeated.empty())
+		return {};
+	const MeshArrays& mesh = arrangement.mesh;
+	const Triangle* triangles = mesh.triangles.data();
+	Triangles repeated;
+	for (const std::uint32_t face : duplicates.repeated)
+		repeated.push_back(triangles[face]);
+	std::uint64_t all = 0, ofRepeated = 0;
+	const int threads = arrangement.options.threads;
+	Status status =
+	    boundaryChecksum(triangles + mesh.faceBegin[operand],
+	                     triangles + mesh.faceBegin[operand + 1], threads, monitor, all);
+	if (status.ok())
+		status = boundaryChecksum(repeated.data(), repeated.data() + repeated.size(), threads,
+		                          monitor, ofRepeated);
+	if (!status.ok() || all == ofRepeated)
+		return status;
+	if (all == 0)
+		return refuse(arrangement, operand, duplicates);
+	duplicates.repeated.clear();
+	return status;
+}
+
+// Drops faces from the arrays; `faces` are ascending.
+void drop(const std::vector<std::uint32_t>& faces, Arrangement& arrangement) {
+	MeshArrays& mesh = arrangement.mesh;
+	std::vector<std::uint32_t> given;
+	given.reserve(mesh.triangles.size() - faces.size());
+	auto dropped = faces.begin();
+	std::array<std::uint32_t, 3> faceBegin{};
+	for (std::uint32_t face = 0; face < mesh.triangles.size(); ++face) {
+		if (dropped != faces.end() && *dropped == face) {
+			++dropped;
+			continue;
+		}
+		mesh.triangles[given.size()] = mesh.triangles[face];
+		if (!mesh.faux.empty())
+			mesh.faux[given.size()] = mesh.faux[face];
+		given.push_back(arrangement.givenFace({face}));
+		faceBegin[2] = static_cast<std::uint32_t>(given.size());
+		faceBegin[1] = mesh.operandOf({face}) == 0 ? faceBegin[2] : faceBegin[1];
+	}
+	mesh.triangles.resize(given.size());
+	mesh.faux.resize(mesh.faux.empty() ? 0 : given.size());
+	mesh.faceBegin = faceBegin;
+	arrangement.faceGiven = std::move(given);
+}
+
+}  // namespace
+
+Status removeDuplicateFaces(Arrangement& arrangement, Monitor& monitor) {
+	const MeshArrays& mesh = arrangement.mesh;
+	std::array<Duplicates, 2> found;
+	Status status = findAllDuplicates(arrangement, monitor, judge, found);
+	std::vector<std::uint32_t> faces;
+	for (std::size_t operand = 0; operand < 2 && status.ok(); ++operand) {
+		status = judgeRepeated(arrangement, operand, monitor, found[operand]);
+		std::vector<std::uint32_t>& cancelling = found[operand].cancelling;
+		const std::vector<std::uint32_t>& repeated = found[operand].repeated;
+		const std::size_t count = mesh.faceBegin[operand + 1] - mesh.faceBegin[operand];
+		if (cancelling.size() == count)
+			cancelling.clear();
+		arrangement.duplicates.cancelledPairs[operand] = cancelling.size() / 2;
+		arrangement.duplicates.takenOnce[operand] = repeated.size();
+		faces.insert(faces.end(), cancelling.begin(), cancelling.end());
+		faces.insert(faces.end(), repeated.begin(), repeated.end());
+	}
+	if (status.ok() && !faces.empty()) {
+		std::sort(faces.begin(), faces.end());
+		drop(faces, arrangement);
+	}
+	return status;
+}
+
+Status takeDuplicateFacesOnce(Arrangement& arrangement, Monitor& monitor) {
+	const MeshArrays& mesh = arrangement.mesh;
+	const auto judgeFaces = [&mesh](const SortedFace* begin, const SortedFace* end,
+	                                Duplicates& out) { takeOnce(mesh, begin, end, out); };
+	std::array<Duplicates, 2> found;
+	const Status status = findAllDuplicates(arrangement, monitor, judgeFaces, found);
+	std::vector<std::uint32_t> faces;
+	for (std::size_t operand = 0; operand < 2 && status.ok(); ++operand) {
+		const std::vector<std::uint32_t>& repeated = found[operand].repeated;
+		arrangement.duplicates.takenOnce[operand] = repeated.size();
+		faces.insert(faces.end(), repeated.begin(), repeated.end());
+	}
+	if (!faces.empty()) {
+		std::sort(faces.begin(), faces.end());
+		drop(faces, arrangement);
+	}
+	return status;
+}
+
+}  // namespace index_boolean

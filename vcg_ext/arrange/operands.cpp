@@ -1,0 +1,601 @@
+// SPDX-FileCopyrightText: 2026 The Index Boolean authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Closedness costs one pass: a signed checksum over directed edges is zero iff each is matched;
+// only a sum that is not zero starts the search for the places.
+#include "vcg_ext/arrange/operands.h"
+
+#include "vcg_ext/arrange/duplicate_faces.h"
+#include "vcg_ext/arrange/joined_polygons.h"
+#include "vcg_ext/base/parallel.h"
+#include "vcg_ext/exact/exact_sign.h"
+#include "vcg_ext/mesh/clean.h"
+#include "vcg_ext/mesh/corner_weld.h"
+#include "vcg_ext/mesh/mesh_checks.h"
+#include "vcg_ext/mesh/non_manifold.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace index_boolean {
+
+namespace {
+
+constexpr std::size_t kGrain = 1 << 15;
+
+Status failure(StatusCode code, int operand, std::size_t count) {
+	Status status;
+	status.code = code;
+	status.operand = operand;
+	status.count = count;
+	return status;
+}
+
+Status checkSizes(const MeshArrays& mesh) {
+	const Status status = checkCounts(mesh.points.size(), mesh.triangles.size());
+	if (!status.ok()) {
+		return status;
+	}
+	for (int k = 0; k < 2; ++k) {
+		const auto operand = static_cast<std::size_t>(k);
+		if (mesh.faceBegin[operand] == mesh.faceBegin[operand + 1]) {
+			return failure(StatusCode::EmptyOperand, k, 0);
+		}
+	}
+	return {};
+}
+
+// The largest double that rounds to a finite number of the output scalar. If it can hold the
+// corners of a face, it can hold all points between them.
+double largestCoordinate(OutputScalar scalar) {
+	constexpr double kRoundsToLargestFloat = 0x1.fffffefffffffp127;
+	return scalar == OutputScalar::Float ? kRoundsToLargestFloat
+	                                     : std::numeric_limits<double>::max();
+}
+
+bool cornersExist(const MeshArrays& mesh, std::size_t face) {
+	const auto operand = static_cast<std::size_t>(mesh.operandOf(makeId<FaceTag>(face)));
+	const std::uint32_t begin = mesh.vertexBegin[operand];
+	const std::uint32_t end = mesh.vertexBegin[operand + 1];
+	const auto exists = [=](VertexId v) { return v.value >= begin && v.value < end; };
+	const Triangle& t = mesh.triangles[face];
+	return exists(t[0]) && exists(t[1]) && exists(t[2]);
+}
+
+// The first defect of one face's corners, or Ok.
+StatusCode cornerDefect(const MeshArrays& mesh, std::size_t face, OutputScalar scalar) {
+	if (!cornersExist(mesh, face)) {
+		return StatusCode::IndexOutOfRange;
+	}
+	const double most = largestCoordinate(scalar);
+	const Triangle& t = mesh.triangles[face];
+	const bool finite = std::all_of(t.begin(), t.end(),
+	                                [&](VertexId v) { return isWithin(at(mesh.points, v), most); });
+	return finite ? StatusCode::Ok : StatusCode::NotFinite;
+}
+
+// Lists the faces of one operand that have the given defect.
+Status refuseCorners(const Arrangement& arrangement, StatusCode code) {
+	const MeshArrays& mesh = arrangement.mesh;
+	const OutputScalar scalar = arrangement.options.outputScalar;
+	Status status;
+	for (std::size_t face = 0; face < mesh.triangles.size(); ++face) {
+		const int operand = mesh.operandOf(makeId<FaceTag>(face));
+		if (cornerDefect(mesh, face, scalar) == code &&
+		    (status.ok() || status.operand == operand)) {
+			status.code = code;
+			status.operand = operand;
+			status.faces.push_back(static_cast<std::uint32_t>(
+			    face - mesh.faceBegin[static_cast<std::size_t>(operand)]));
+		}
+	}
+	status.count = status.faces.size();
+	return status;
+}
+
+bool hasEqualCorners(const Triangle& t) { return t[0] == t[1] || t[1] == t[2] || t[2] == t[0]; }
+
+// Whether all faces have corners that exist; whether any has two equal ones.
+struct CornerFacts {
+	bool allExist = true;
+	bool anyEqual = false;
+};
+
+Status lookAtCorners(const Arrangement& arrangement, Monitor& monitor, CornerFacts& out) {
+	const MeshArrays& mesh = arrangement.mesh;
+	std::vector<CornerFacts> parts(chunkCount(mesh.triangles.size(), kGrain));
+	const Status status =
+	    parallelForChunks(mesh.triangles.size(), kGrain, arrangement.options.threads, monitor,
+	                      [&](std::size_t chunk, std::size_t begin, std::size_t end) {
+		                      CornerFacts facts;
+		                      for (std::size_t face = begin; face < end; ++face) {
+			                      facts.allExist &= cornersExist(mesh, face);
+			                      facts.anyEqual |= hasEqualCorners(mesh.triangles[face]);
+		                      }
+		                      parts[chunk] = facts;
+	                      });
+	for (const CornerFacts& part : parts) {
+		out.allExist &= part.allExist;
+		out.anyEqual |= part.anyEqual;
+	}
+	return status;
+}
+
+// Two streams, over points and over triangles, tell that all is well; only a defect in one of them
+// starts the search for faces, since a bad vertex that no face uses does not matter.
+Status checkCorners(const Arrangement& arrangement, Monitor& monitor, CornerWelder& welder,
+                    CornerFacts& facts) {
+	bool inRange = true;
+	Status status = lookAtCorners(arrangement, monitor, facts);
+	if (status.ok()) {
+		status = welder.findSuspects(largestCoordinate(arrangement.options.outputScalar), inRange);
+	}
+	if (status.ok() && !facts.allExist) {
+		status = refuseCorners(arrangement, StatusCode::IndexOutOfRange);
+	}
+	return status.ok() && !inRange ? refuseCorners(arrangement, StatusCode::NotFinite) : status;
+}
+
+// Faces with two equal corners go: their edges cancel, so closedness stays as it is.
+Status dropCollapsedFaces(Arrangement& arrangement) {
+	MeshArrays& mesh = arrangement.mesh;
+	std::size_t kept = 0;
+	std::vector<std::uint32_t> given;
+	for (std::size_t operand = 0; operand < 2; ++operand) {
+		const std::uint32_t begin = operand == 0 ? 0 : mesh.faceBegin[operand];
+		const std::uint32_t end = mesh.faceBegin[operand + 1];
+		const std::size_t keptBegin = kept;
+		for (std::uint32_t face = begin; face < end; ++face) {
+			if (!hasEqualCorners(mesh.triangles[face])) {
+				mesh.triangles[kept] = mesh.triangles[face];
+				if (!mesh.faux.empty()) {
+					mesh.faux[kept] = mesh.faux[face];
+				}
+				++kept;
+				given.push_back(face - begin);
+			}
+		}
+		if (operand == 1) {
+			mesh.faceBegin = {0, static_cast<std::uint32_t>(keptBegin),
+			                  static_cast<std::uint32_t>(kept)};
+		}
+	}
+	mesh.triangles.resize(kept);
+	mesh.faux.resize(mesh.faux.empty() ? 0 : kept);
+	arrangement.faceGiven = std::move(given);
+	return checkSizes(mesh);
+}
+
+// Whether the edge from a to b lies on the line of an edge of a triangle.
+bool liesOnEdge(const MeshArrays& mesh, std::uint32_t a, std::uint32_t b, VertexId from,
+                VertexId to) {
+	const Point &p = at(mesh.points, from), &q = at(mesh.points, to);
+	return hasZeroArea(p, q, mesh.points[a]) && hasZeroArea(p, q, mesh.points[b]);
+}
+
+// The faux edges of a face, or of a piece of a face of the arrays: those that lie on such an edge
+// of that face, and those inside it.
+std::uint8_t pieceFaux(const MeshArrays& mesh, std::uint32_t whole, const IndexTriangle& piece) {
+	const Triangle& t = mesh.triangles[whole];
+	unsigned mask = 0;
+	for (unsigned i = 0; i < 3; ++i) {
+		bool isFaux = true;
+		for (unsigned side = 0; side < 3; ++side) {
+			if (liesOnEdge(mesh, piece[i], piece[(i + 1) % 3], t[side], t[(side + 1) % 3])) {
+				isFaux = (mesh.faux[whole] >> side & 1U) != 0;
+			}
+		}
+		mask |= isFaux ? 1U << i : 0U;
+	}
+	return static_cast<std::uint8_t>(mask);
+}
+
+// Takes the faux edges of one operand over to the faces that replace its faces, if there are any.
+// \param before for each new face, the face of the arrays that it is or is a piece of
+void replaceFaux(MeshArrays& mesh, std::size_t operand, const IndexTriangles& faces,
+                 const std::vector<std::uint32_t>& before) {
+	if (mesh.faux.empty()) {
+		return;
+	}
+	const auto begin = mesh.faux.begin();
+	std::vector<std::uint8_t> faux(begin, begin + mesh.faceBegin[operand]);
+	for (std::size_t f = 0; f < faces.size(); ++f) {
+		const Triangle& t = mesh.triangles[before[f]];
+		const bool isWhole = faces[f] == IndexTriangle{t[0].value, t[1].value, t[2].value};
+		faux.push_back(isWhole ? mesh.faux[before[f]] : pieceFaux(mesh, before[f], faces[f]));
+	}
+	faux.insert(faux.end(), begin + mesh.faceBegin[operand + 1], mesh.faux.end());
+	mesh.faux = std::move(faux);
+}
+
+// Splits the zero-area faces of one operand away across their longest edges: a face of three
+// collinear corners cannot be dropped without opening the surface.
+Status cleanOperand(Arrangement& arrangement, std::size_t operand, Monitor& monitor) {
+	MeshArrays& mesh = arrangement.mesh;
+	const int threads = arrangement.options.threads;
+	const std::uint32_t begin = mesh.faceBegin[operand];
+	const std::uint32_t end = mesh.faceBegin[operand + 1];
+	IndexTriangles triangles;
+	std::vector<std::uint32_t> given;
+	std::vector<std::uint32_t> before;  // the face that each is or is a piece of
+	for (std::uint32_t face = begin; face < end; ++face) {
+		const Triangle& t = mesh.triangles[face];
+		triangles.push_back({t[0].value, t[1].value, t[2].value});
+		given.push_back(arrangement.givenFace({face}));
+		before.push_back(face);
+	}
+	std::vector<std::uint32_t> zeroAreaFaces;
+	CleanResult cleaned;
+	Status status = findZeroAreaFaces(mesh.points, triangles, FaceRange{0, triangles.size()},
+	                                  threads, monitor, zeroAreaFaces);
+	if (status.ok()) {
+		status = cleanSurface(mesh.points, zeroAreaFaces, threads, monitor, triangles, cleaned);
+	}
+	if (!status.ok()) {
+		return status;
+	}
+	cleaned.faces.apply(given);
+	cleaned.faces.apply(before);
+	replaceFaux(mesh, operand, triangles, before);
+
+	Triangles all(mesh.triangles.begin(), mesh.triangles.begin() + begin);
+	std::vector<std::uint32_t> allGiven;
+	for (std::uint32_t face = 0; face < begin; ++face) {
+		allGiven.push_back(arrangement.givenFace({face}));
+	}
+	for (const IndexTriangle& t : triangles) {
+		all.push_back({VertexId{t[0]}, VertexId{t[1]}, VertexId{t[2]}});
+	}
+	allGiven.insert(allGiven.end(), given.begin(), given.end());
+	const auto newEnd = static_cast<std::uint32_t>(all.size());
+	for (std::uint32_t face = end; face < mesh.faceBegin[2]; ++face) {
+		all.push_back(mesh.triangles[face]);
+		allGiven.push_back(arrangement.givenFace({face}));
+	}
+	mesh.faceBegin[operand + 1] = newEnd;
+	mesh.faceBegin[2] = static_cast<std::uint32_t>(all.size());
+	mesh.triangles = std::move(all);
+	arrangement.faceGiven = std::move(allGiven);
+	return {};
+}
+
+Status findClosed(Arrangement& arrangement, Monitor& monitor) {
+	const MeshArrays& mesh = arrangement.mesh;
+	Status status;
+	for (std::size_t operand = 0; operand < 2 && status.ok(); ++operand) {
+		const Triangle* begin = mesh.triangles.data() + mesh.faceBegin[operand];
+		const Triangle* end = mesh.triangles.data() + mesh.faceBegin[operand + 1];
+		std::uint64_t sum = 0;
+		status = boundaryChecksum(begin, end, arrangement.options.threads, monitor, sum);
+		arrangement.closed[operand] = sum == 0;
+	}
+	return status;
+}
+
+// Ok, or where an operand is not closed or not consistently oriented.
+Status checkClosed(Arrangement& arrangement, Monitor& monitor) {
+	const MeshArrays& mesh = arrangement.mesh;
+	Status status = findClosed(arrangement, monitor);
+	for (std::size_t operand = 0; operand < 2 && status.ok(); ++operand) {
+		if (arrangement.closed[operand]) {
+			continue;
+		}
+		UnmatchedEdges found;
+		findUnmatchedEdges(mesh.triangles.data() + mesh.faceBegin[operand],
+		                   mesh.triangles.data() + mesh.faceBegin[operand + 1], found);
+		const bool open = found.borderEdges > 0;
+		status =
+		    failure(open ? StatusCode::NotClosed : StatusCode::NotOriented,
+		            static_cast<int>(operand), open ? found.borderEdges : found.conflictingEdges);
+		status.hasPlace = true;
+		status.place = at(mesh.points, found.firstEdge[0]);
+		for (const std::uint32_t face : found.faces) {
+			status.faces.push_back(arrangement.givenFace({face + mesh.faceBegin[operand]}));
+		}
+	}
+	return status;
+}
+
+struct VolumeSum {
+	double value = 0;
+	double bound = 0;
+};
+
+// Six times the volume of the tetrahedron between a face and a point, and a bound on its error: as
+// orient3dBounded, but from the face's normal, whose parts are small where the face is. Eight
+// rounded operations lie on each path, so the error is below 9u times `size`.
+VolumeSum sixVolumes(const Point& corner, const RoundedNormal& normal, const Point& reference) {
+	VolumeSum result;
+	double size = 0, room = 1;
+	for (std::size_t k = 0; k < 3; ++k) {
+		const double height = corner[k] - reference[k];
+		result.value += normal.value[k] * height;
+		size += normal.size[k] * std::fabs(height);
+		room += std::fabs(height);
+	}
+	result.bound = 10 * kRoundoff * size + kUnderflow * room;
+	return result;
+}
+
+// What one pass over an operand's faces tells.
+struct FacesSeen {
+	VolumeSum sixVolumes;                 // signed
+	std::vector<std::uint32_t> zeroArea;  // the faces without area, ascending
+};
+
+FacesSeen lookAtFaces(const MeshArrays& mesh, std::size_t begin, std::size_t end,
+                      const Point& reference) {
+	FacesSeen seen;
+	VolumeSum& sum = seen.sixVolumes;
+	for (std::size_t face = begin; face < end; ++face) {
+		const Triangle& t = mesh.triangles[face];
+		const Point &a = at(mesh.points, t[0]), &b = at(mesh.points, t[1]),
+		            &c = at(mesh.points, t[2]);
+		const RoundedNormal normal(a, b, c);
+		if (!normal.isCertain() && hasZeroArea(a, b, c)) {
+			seen.zeroArea.push_back(static_cast<std::uint32_t>(face));
+		}
+		const VolumeSum term = sixVolumes(a, normal, reference);
+		sum.value += term.value;
+		// Each of the partial sums is rounded once more.
+		sum.bound += term.bound + 2 * kRoundoff * std::fabs(sum.value);
+	}
+	return seen;
+}
+
+// Looks at both operands' faces, in fixed chunks.
+Status lookAtFaces(const Arrangement& arrangement, Monitor& monitor,
+                   std::array<FacesSeen, 2>& out) {
+	const MeshArrays& mesh = arrangement.mesh;
+	out = {};
+	Status status;
+	for (std::size_t operand = 0; operand < 2 && status.ok(); ++operand) {
+		const std::size_t first = mesh.faceBegin[operand];
+		const std::size_t count = mesh.faceBegin[operand + 1] - first;
+		const Point& reference = at(mesh.points, mesh.triangles[first][0]);
+		std::vector<FacesSeen> parts(chunkCount(count, kGrain));
+		status = parallelForChunks(count, kGrain, arrangement.options.threads, monitor,
+		                           [&](std::size_t chunk, std::size_t begin, std::size_t end) {
+			                           parts[chunk] =
+			                               lookAtFaces(mesh, first + begin, first + end, reference);
+		                           });
+		VolumeSum& sum = out[operand].sixVolumes;
+		std::vector<std::uint32_t>& zeroArea = out[operand].zeroArea;
+		for (const FacesSeen& part : parts) {
+			sum.value += part.sixVolumes.value;
+			sum.bound += part.sixVolumes.bound + 2 * kRoundoff * std::fabs(sum.value);
+			zeroArea.insert(zeroArea.end(), part.zeroArea.begin(), part.zeroArea.end());
+		}
+		sum.bound *= 1 + 1e-6;  // the bound's own rounding: far above n * u for any n that fits
+	}
+	return status;
+}
+
+// Cleans the operands that have faces without area, and looks at the faces again then.
+// \param seen    what was seen, and then what is there
+// \param cleaned whether there were any
+Status cleanZeroAreaFaces(Arrangement& arrangement, Monitor& monitor,
+                          std::array<FacesSeen, 2>& seen, bool& cleaned) {
+	cleaned = !seen[0].zeroArea.empty() || !seen[1].zeroArea.empty();
+	if (!cleaned) {
+		return {};
+	}
+	Status status;
+	for (const std::size_t operand : {std::size_t{1}, std::size_t{0}}) {
+		if (status.ok() && !seen[operand].zeroArea.empty()) {
+			status = cleanOperand(arrangement, operand, monitor);
+		}
+	}
+	if (status.ok()) {
+		status = checkSizes(arrangement.mesh);
+	}
+	return status.ok() ? lookAtFaces(arrangement, monitor, seen) : status;
+}
+
+// Finds the volumes of the closed operands, and on which side of each its solid lies. An operand
+// without volume is refused, if it must not be.
+Status findVolumes(Arrangement& arrangement, const std::array<FacesSeen, 2>& seen,
+                   bool mustHaveVolume) {
+	const MeshArrays& mesh = arrangement.mesh;
+	for (std::size_t operand = 0; operand < 2; ++operand) {
+		if (!arrangement.closed[operand]) {
+			continue;
+		}
+		const VolumeSum& sum = seen[operand].sixVolumes;
+		int sign = Bounded(sum.value, sum.bound).sign();
+		if (sign == kUnknownSign || sign == 0) {
+			sign = exactVolumeSign(mesh.points, mesh.triangles.data() + mesh.faceBegin[operand],
+			                       mesh.triangles.data() + mesh.faceBegin[operand + 1]);
+		}
+		if (sign == 0 && mustHaveVolume) {
+			return failure(StatusCode::NoVolume, static_cast<int>(operand), 0);
+		}
+		arrangement.turned[operand] = sign < 0;
+		arrangement.volume[operand] = std::fabs(sum.value) / 6;
+	}
+	return {};
+}
+
+void turnFaux(MeshArrays& mesh, std::size_t operand) {
+	for (std::size_t f = mesh.faceBegin[operand];
+	     !mesh.faux.empty() && f < mesh.faceBegin[operand + 1]; ++f) {
+		mesh.faux[f] = turnedFaux(mesh.faux[f]);
+	}
+}
+
+Status turnRightSideOut(Arrangement& arrangement, const std::array<FacesSeen, 2>& seen) {
+	MeshArrays& mesh = arrangement.mesh;
+	const Status status = findVolumes(arrangement, seen, true);
+	for (std::size_t operand = 0; operand < 2; ++operand) {
+		if (status.ok() && arrangement.turned[operand]) {
+			std::for_each(mesh.triangles.begin() + mesh.faceBegin[operand],
+			              mesh.triangles.begin() + mesh.faceBegin[operand + 1],
+			              [](Triangle& t) { std::swap(t[1], t[2]); });
+			turnFaux(mesh, operand);
+		}
+	}
+	return status;
+}
+
+// A part of an operand's vertices.
+struct VertexTask {
+	std::size_t operand;
+	VertexRange vertices;
+};
+
+// Tasks for all vertices of both operands: each looks at all faces of its operand, so that few are
+// best, of about the same size. Once welded, the second operand has vertices of the first.
+std::vector<VertexTask> divideVertices(const MeshArrays& mesh) {
+	std::vector<VertexTask> tasks;
+	for (std::size_t operand = 0; operand < 2; ++operand) {
+		const std::uint32_t end = mesh.vertexBegin[operand + 1];
+		const std::size_t faces = mesh.faceBegin[operand + 1] - mesh.faceBegin[operand];
+		const bool isLarge = faces > kGrain && faces > mesh.triangles.size() / 3 * 2;
+		const std::uint32_t middle =
+		    isLarge ? mesh.vertexBegin[operand] + (end - mesh.vertexBegin[operand]) / 2 : 0;
+		if (isLarge) {
+			tasks.push_back({operand, {0, middle}});
+		}
+		tasks.push_back({operand, {middle, end}});
+	}
+	return tasks;
+}
+
+// Calls body(task, begin, end) for each task with the faces of its operand.
+template <class Body>
+Status forEachTask(const Arrangement& arrangement, const std::vector<VertexTask>& tasks,
+                   Monitor& monitor, Body&& body) {
+	const MeshArrays& mesh = arrangement.mesh;
+	const int threads = threadsForHalves(mesh.triangles.size(), arrangement.options.threads);
+	return parallelForChunks(
+	    tasks.size(), 1, threads, monitor, [&](std::size_t task, std::size_t, std::size_t) {
+		    const Triangle* all = mesh.triangles.data();
+		    const std::size_t operand = tasks[task].operand;
+		    body(task, all + mesh.faceBegin[operand], all + mesh.faceBegin[operand + 1]);
+	    });
+}
+
+// Finds which operands are closed manifolds: nearly all are, and need no other check.
+Status findClosedManifolds(const Arrangement& arrangement, Monitor& monitor,
+                           std::array<bool, 2>& out) {
+	const std::vector<VertexTask> tasks = divideVertices(arrangement.mesh);
+	std::vector<std::uint8_t> manifold(tasks.size(), 0);
+	const Status status =
+	    forEachTask(arrangement, tasks, monitor,
+	                [&](std::size_t task, const Triangle* begin, const Triangle* end) {
+		                manifold[task] = isClosedManifold(begin, end, tasks[task].vertices) ? 1 : 0;
+	                });
+	out = {true, true};
+	for (std::size_t task = 0; task < tasks.size(); ++task) {
+		out[tasks[task].operand] &= manifold[task] != 0;
+	}
+	return status;
+}
+
+Status findNonManifold(Arrangement& arrangement, Monitor& monitor) {
+	const std::vector<VertexTask> tasks = divideVertices(arrangement.mesh);
+	std::vector<std::vector<VertexId>> found(tasks.size());
+	const Status status =
+	    forEachTask(arrangement, tasks, monitor,
+	                [&](std::size_t task, const Triangle* begin, const Triangle* end) {
+		                findNonManifoldVertices(begin, end, tasks[task].vertices, found[task]);
+	                });
+	std::vector<VertexId>& all = arrangement.nonManifold;
+	for (const std::vector<VertexId>& part : found) {
+		all.insert(all.end(), part.begin(), part.end());
+	}
+	std::sort(all.begin(), all.end());
+	all.erase(std::unique(all.begin(), all.end()), all.end());
+	return status;
+}
+
+// Checks the arrays, welds each operand's vertices and drops faces with two equal corners.
+Status weldOperands(Arrangement& arrangement, Monitor& monitor, CornerWelder& welder) {
+	CornerFacts facts;
+	std::array<bool, 2>& welded = arrangement.seams;
+	Status status = checkSizes(arrangement.mesh);
+	if (status.ok()) {
+		status = checkCorners(arrangement, monitor, welder, facts);
+	}
+	if (status.ok()) {
+		status = welder.weldWithinOperands(welded);
+	}
+	if (status.ok() && (welded[0] || welded[1])) {
+		status = lookAtCorners(arrangement, monitor, facts);
+	}
+	return status.ok() && facts.anyEqual ? dropCollapsedFaces(arrangement) : status;
+}
+
+}  // namespace
+
+Status prepareOperands(Arrangement& arrangement, Monitor& monitor) {
+	CornerWelder welder(arrangement.mesh, arrangement.options.threads, monitor);
+	std::array<bool, 2>& manifold = arrangement.closed;
+	Status status = weldOperands(arrangement, monitor, welder);
+	if (status.ok()) {
+		status = findClosedManifolds(arrangement, monitor, manifold);
+	}
+	const bool bothManifold = manifold[0] && manifold[1];
+	if (status.ok() && !bothManifold) {
+		status = removeDuplicateFaces(arrangement, monitor);
+	}
+	if (status.ok() && !bothManifold) {
+		status = checkClosed(arrangement, monitor);
+	}
+	std::array<FacesSeen, 2> seen;
+	bool cleaned = false;
+	if (status.ok()) {
+		status = lookAtFaces(arrangement, monitor, seen);
+	}
+	if (status.ok()) {
+		status = cleanZeroAreaFaces(arrangement, monitor, seen, cleaned);
+	}
+	if (status.ok()) {
+		status = welder.weldSecondToFirst();
+	}
+	if (status.ok() && (!bothManifold || cleaned)) {
+		status = findNonManifold(arrangement, monitor);
+	}
+	if (status.ok()) {
+		status = turnRightSideOut(arrangement, seen);
+	}
+	if (status.ok()) {
+		status = joinPolygons(arrangement, monitor);
+	}
+	return status;
+}
+
+Status prepareSurfaces(Arrangement& arrangement, Monitor& monitor) {
+	CornerWelder welder(arrangement.mesh, arrangement.options.threads, monitor);
+	Status status = weldOperands(arrangement, monitor, welder);
+	std::array<FacesSeen, 2> seen;
+	bool cleaned = false;
+	if (status.ok()) {
+		status = lookAtFaces(arrangement, monitor, seen);
+	}
+	if (status.ok()) {
+		status = cleanZeroAreaFaces(arrangement, monitor, seen, cleaned);
+	}
+	const std::size_t faceCount = arrangement.mesh.triangles.size();
+	if (status.ok()) {
+		status = takeDuplicateFacesOnce(arrangement, monitor);
+	}
+	if (status.ok() && arrangement.mesh.triangles.size() < faceCount) {
+		status = lookAtFaces(arrangement, monitor, seen);
+	}
+	if (status.ok()) {
+		status = welder.weldSecondToFirst();
+	}
+	if (status.ok()) {
+		status = findClosed(arrangement, monitor);
+	}
+	if (status.ok()) {
+		status = findNonManifold(arrangement, monitor);
+	}
+	if (status.ok()) {
+		status = joinPolygons(arrangement, monitor);
+	}
+	return status.ok() ? findVolumes(arrangement, seen, false) : status;
+}
+
+}  // namespace index_boolean

@@ -1,0 +1,83 @@
+// SPDX-FileCopyrightText: 2026 The Index Boolean authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// A name's simplices define its point; rounded coordinates answer what they can.
+#include "vcg_ext/arrange/places.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace index_boolean {
+
+namespace {
+
+// The exact point rounded to float, once: the double next to it decides, unless it lies half-way
+// between two floats; then the exact point's side of it does.
+double roundedToFloat(const ExactPoint& point, std::size_t axis) {
+	const double value = point.rounded[axis];
+	const auto nearest = static_cast<float>(value);
+	if (point.form == ExactPoint::Form::Explicit || !std::isfinite(nearest)) {
+		return static_cast<double>(nearest);
+	}
+	const double towards = value > static_cast<double>(nearest) ? HUGE_VAL : -HUGE_VAL;
+	const double next = static_cast<double>(std::nextafter(nearest, static_cast<float>(towards)));
+	if (value - static_cast<double>(nearest) != next - value) {
+		return static_cast<double>(nearest);
+	}
+	const Point middle = point.rounded;
+	const int side =
+	    compareCoordinate(point, ExactPoint::explicitPoint(middle), static_cast<int>(axis));
+	const double low = std::min(static_cast<double>(nearest), next);
+	const double high = std::max(static_cast<double>(nearest), next);
+	return side == 0 ? static_cast<double>(nearest) : (side < 0 ? low : high);
+}
+
+}  // namespace
+
+ExactPoint exactPoint(const Arrangement& arrangement, VertexId vertex) {
+	const Points& points = arrangement.mesh.points;
+	if (!arrangement.isCurvePoint(vertex)) {
+		return ExactPoint::explicitPoint(at(points, vertex));
+	}
+	const PointId id = arrangement.pointOf(vertex);
+	const PointName& name = at(arrangement.curve.names, id);
+	const auto& ids = name.ids;
+	ExactPoint point;
+	if (name.kind == PointKind::EdgeEdge) {
+		point = ExactPoint::lineLine(
+		    {&points[ids[0]], &points[ids[1]], &points[ids[2]], &points[ids[3]]}, name.axis);
+	} else {
+		const Triangle& face = arrangement.mesh.triangles[ids[2]];
+		point = ExactPoint::linePlane({&points[ids[0]], &points[ids[1]], &at(points, face[0]),
+		                               &at(points, face[1]), &at(points, face[2])});
+	}
+	point.rounded = at(arrangement.curve.rounded, id);
+	return point;
+}
+
+int comparePlaces(const Arrangement& arrangement, VertexId a, VertexId b) {
+	const Point& p = arrangement.coordinates(a);
+	const Point& q = arrangement.coordinates(b);
+	if (p != q) {
+		return p < q ? -1 : 1;
+	}
+	const bool areInput = !arrangement.isCurvePoint(a) && !arrangement.isCurvePoint(b);
+	for (int axis = 0; axis < 3 && a != b && !areInput; ++axis) {
+		const int order =
+		    compareCoordinate(exactPoint(arrangement, a), exactPoint(arrangement, b), axis);
+		if (order != 0) {
+			return order;
+		}
+	}
+	return 0;
+}
+
+Point outputCoordinates(const Arrangement& arrangement, VertexId vertex) {
+	if (arrangement.options.outputScalar == OutputScalar::Double) {
+		return arrangement.coordinates(vertex);
+	}
+	const ExactPoint exact = exactPoint(arrangement, vertex);
+	return {roundedToFloat(exact, 0), roundedToFloat(exact, 1), roundedToFloat(exact, 2)};
+}
+
+}  // namespace index_boolean

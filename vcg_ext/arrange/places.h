@@ -1,0 +1,24 @@
+// SPDX-FileCopyrightText: 2026 The Index Boolean authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// in: a vertex or a point of the curve; out: the exact place that its name stands for, an order of
+// such places, and the place as delivered. Guarantee: exact; rounded once.
+#pragma once
+
+#include "vcg_ext/arrange/arrangement.h"
+#include "vcg_ext/exact/exact_sign.h"
+
+namespace index_boolean {
+
+// The simplices that define a vertex or a curve point; borrows the arrangement's points.
+// \param vertex an input vertex or a numbered curve point
+ExactPoint exactPoint(const Arrangement& arrangement, VertexId vertex);
+
+// An order of vertices that depends on their places only: by the rounded coordinates,
+// lexicographically, then, if all three are equal, by the exact ones. \return -1, 0, +1
+int comparePlaces(const Arrangement& arrangement, VertexId a, VertexId b);
+
+// A vertex's coordinates as they are delivered: the exact point, rounded once to the output scalar.
+Point outputCoordinates(const Arrangement& arrangement, VertexId vertex);
+
+}  // namespace index_boolean

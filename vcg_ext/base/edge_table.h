@@ -1,0 +1,62 @@
+// SPDX-FileCopyrightText: 2026 The Index Boolean authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// in: half-edges of faces, in any order; out: edge by edge, the half-edges on the same two
+// vertices. A sorted list is the whole table: what is asked is always asked of all edges at once.
+#pragma once
+
+#include "vcg_ext/base/groups.h"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+namespace index_boolean {
+
+// One side of a face, between the vertices low < high of any numbering.
+struct HalfEdge {
+	std::uint32_t low, high;
+	std::uint32_t face;
+	std::uint8_t corner;  // that it leaves
+	bool forward;         // it runs from low to high
+
+	// Whether both lie on the same two vertices.
+	bool sameEdge(const HalfEdge& other) const { return low == other.low && high == other.high; }
+	// By edge, then by face.
+	friend bool operator<(const HalfEdge& a, const HalfEdge& b) {
+		return a.low != b.low     ? a.low < b.low
+		       : a.high != b.high ? a.high < b.high
+		                          : a.face < b.face;
+	}
+};
+
+inline HalfEdge makeHalfEdge(std::uint32_t from, std::uint32_t to, std::size_t face,
+                             std::size_t corner) {
+	return {std::min(from, to), std::max(from, to), static_cast<std::uint32_t>(face),
+	        static_cast<std::uint8_t>(corner), from < to};
+}
+
+// Sorts the half-edges by edge, then by face, and calls visit(first, last) for those of each edge.
+// \param halfEdges a random-access array of HalfEdge
+// Complexity: O(n log n).
+template <class HalfEdges, class Visit>
+void forEachEdge(HalfEdges& halfEdges, Visit&& visit) {
+	std::sort(halfEdges.begin(), halfEdges.end());
+	forEachGroup(
+	    halfEdges.begin(), halfEdges.end(),
+	    [](const HalfEdge& a, const HalfEdge& b) { return a.sameEdge(b); }, visit);
+}
+
+// Sorts the half-edges and calls visit(a, b) for the half-edges of each edge that has two, against
+// each other, and no more. Complexity: O(n log n).
+template <class HalfEdges, class Visit>
+void forEachManifoldEdge(HalfEdges& halfEdges, Visit&& visit) {
+	forEachEdge(halfEdges, [&visit](auto first, auto last) {
+		if (last - first == 2 && first[0].forward != first[1].forward) {
+			visit(first[0], first[1]);
+		}
+	});
+}
+
+}  // namespace index_boolean

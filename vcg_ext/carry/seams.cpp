@@ -1,0 +1,206 @@
+// SPDX-FileCopyrightText: 2026 The Index Boolean authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// A seam is found by its edges: two faces meet there, and name an end of it by two vertices.
+#include "vcg_ext/carry/seams.h"
+
+#include "vcg_ext/base/bucket_sort.h"
+#include "vcg_ext/base/parallel.h"
+#include "vcg_ext/base/union_find.h"
+
+#include <algorithm>
+
+namespace index_boolean {
+
+namespace {
+
+constexpr std::size_t kGrain = 1 << 14;
+
+// An edge of a face, between welded vertices low < high, and what the face as given calls them.
+struct GivenEdge {
+	std::uint32_t low, high;
+	VertexId givenLow, givenHigh;
+
+	bool sameEdge(const GivenEdge& other) const { return low == other.low && high == other.high; }
+};
+
+class SeamFinder {
+public:
+	SeamFinder(const Arrangement& arrangement, const GivenTriangles& given,
+	           const SameAttributes& same, Monitor& monitor)
+	    : arrangement_(arrangement), mesh_(arrangement.mesh), given_(given), same_(same),
+	      monitor_(monitor), apart_(mesh_.points.size()), sides_(mesh_.points.size()) {}
+
+	Status run(Seams& out);
+
+private:
+	Triangle cornersAsGiven(std::size_t face) const;
+	Status findPlaces(std::size_t operand);
+	Status listEdges(std::size_t operand);
+	void compareEnds(VertexId a, VertexId b);
+	Status compareEdges();
+	void joinOthers();
+
+	const Arrangement& arrangement_;
+	const MeshArrays& mesh_;
+	const GivenTriangles& given_;
+	const SameAttributes& same_;
+	Monitor& monitor_;
+	std::vector<VertexId> places_;        // per welded vertex: one that was given there
+	std::vector<std::uint8_t> isShared_;  // per welded vertex: there are several in its place
+	bool isSoup_ = false;                 // no vertex of the operand has two faces
+	std::vector<GivenEdge> edges_;
+	UnionFind apart_;  // vertices that seams connect
+	UnionFind sides_;  // vertices that need not be apart
+};
+
+// What the corners of a face are called as given; none() for a corner that is none there.
+Triangle SeamFinder::cornersAsGiven(std::size_t face) const {
+	const Triangle& t = mesh_.triangles[face];
+	const Triangle given = given_(givenFaceOf(arrangement_, makeId<FaceTag>(face)));
+	Triangle corners{VertexId::none(), VertexId::none(), VertexId::none()};
+	for (std::size_t i = 0; i < 3; ++i) {
+		for (const VertexId g : given) {
+			if (at(mesh_.points, g) == at(mesh_.points, t[i])) {
+				corners[i] = g;
+			}
+		}
+	}
+	return corners;
+}
+
+Status SeamFinder::findPlaces(std::size_t operand) {
+	places_.assign(mesh_.points.size(), VertexId::none());
+	isShared_.assign(mesh_.points.size(), 0);
+	std::vector<std::uint8_t> faces(mesh_.points.size(), 0);
+	const std::size_t first = mesh_.faceBegin[operand];
+	const auto look = [&](std::size_t begin, std::size_t end) {
+		for (std::size_t f = first + begin; f < first + end; ++f) {
+			const Triangle given = cornersAsGiven(f);
+			for (std::size_t i = 0; i < 3; ++i) {
+				const VertexId welded = mesh_.triangles[f][i];
+				if (given[i] == VertexId::none()) {
+					continue;
+				}
+				VertexId& known = at(places_, welded);
+				if (known != VertexId::none() && known != given[i]) {
+					at(isShared_, welded) = 1;
+				}
+				known = given[i];
+				at(faces, given[i]) =
+				    static_cast<std::uint8_t>(std::min(at(faces, given[i]) + 1, 2));
+			}
+		}
+	};
+	const Status status = inOrderFor(mesh_.faceBegin[operand + 1] - first, kGrain, monitor_, look);
+	isSoup_ = std::find(faces.begin(), faces.end(), 2) == faces.end();
+	return status;
+}
+
+Status SeamFinder::listEdges(std::size_t operand) {
+	edges_.clear();
+	const std::size_t first = mesh_.faceBegin[operand];
+	const auto list = [&](std::size_t begin, std::size_t end) {
+		for (std::size_t f = first + begin; f < first + end; ++f) {
+			const Triangle& t = mesh_.triangles[f];
+			if (std::none_of(t.begin(), t.end(),
+			                 [&](VertexId v) { return at(isShared_, v) != 0; })) {
+				continue;
+			}
+			const Triangle given = cornersAsGiven(f);
+			for (std::size_t i = 0; i < 3; ++i) {
+				const std::size_t j = (i + 1) % 3;
+				const std::size_t low = t[i] < t[j] ? i : j, high = low == i ? j : i;
+				edges_.push_back({t[low].value, t[high].value, given[low], given[high]});
+			}
+		}
+	};
+	return inOrderFor(mesh_.faceBegin[operand + 1] - first, kGrain, monitor_, list);
+}
+
+void SeamFinder::compareEnds(VertexId a, VertexId b) {
+	if (a == b || a == VertexId::none() || b == VertexId::none()) {
+		return;
+	}
+	apart_.unite(a.value, b.value);
+	if (same_(a, b, !isSoup_)) {
+		sides_.unite(a.value, b.value);
+	}
+}
+
+Status SeamFinder::compareEdges() {
+	const Status status = bucketSort(
+	    edges_, mesh_.points.size(), [](const GivenEdge& e) { return e.low; },
+	    [](const GivenEdge& a, const GivenEdge& b) {
+		    return a.low != b.low ? a.low < b.low : a.high < b.high;
+	    },
+	    arrangement_.options.threads, monitor_);
+	if (!status.ok()) {
+		return status;
+	}
+	for (std::size_t i = 0, end = 0; i < edges_.size(); i = end) {
+		while (end < edges_.size() && edges_[end].sameEdge(edges_[i])) {
+			++end;
+		}
+		if (end - i == 2) {
+			compareEnds(edges_[i].givenLow, edges_[i + 1].givenLow);
+			compareEnds(edges_[i].givenHigh, edges_[i + 1].givenHigh);
+		}
+	}
+	return status;
+}
+
+// Vertices in one place that no chain of seams connects need not be apart.
+void SeamFinder::joinOthers() {
+	std::vector<std::array<VertexId, 2>> ends;  // where, and what is there as given
+	for (const GivenEdge& edge : edges_) {
+		ends.push_back({VertexId{edge.low}, edge.givenLow});
+		ends.push_back({VertexId{edge.high}, edge.givenHigh});
+	}
+	std::sort(ends.begin(), ends.end());
+	for (std::size_t i = 1; i < ends.size(); ++i) {
+		const auto& [place, given] = ends[i];
+		const auto& [placeBefore, before] = ends[i - 1];
+		if (place == placeBefore && given != VertexId::none() &&
+		    apart_.find(given.value) != apart_.find(before.value)) {
+			sides_.unite(given.value, before.value);
+			apart_.unite(given.value, before.value);
+		}
+	}
+}
+
+Status SeamFinder::run(Seams& out) {
+	Status status;
+	for (std::size_t operand = 0; operand < 2 && status.ok(); ++operand) {
+		if (!arrangement_.seams[operand]) {
+			continue;
+		}
+		status = findPlaces(operand);
+		if (status.ok()) {
+			status = listEdges(operand);
+		}
+		if (status.ok()) {
+			status = compareEdges();
+		}
+		joinOthers();
+	}
+	sides_.flatten();
+	out.side.resize(sides_.size());
+	for (std::uint32_t v = 0; v < out.side.size(); ++v) {
+		out.side[v] = {sides_.root(v)};
+	}
+	return status;
+}
+
+}  // namespace
+
+Status findSeams(const Arrangement& arrangement, const GivenTriangles& given,
+                 const SameAttributes& same, Monitor& monitor, Seams& out) {
+	out = Seams{};
+	if (!arrangement.seams[0] && !arrangement.seams[1]) {
+		return {};
+	}
+	return SeamFinder(arrangement, given, same, monitor).run(out);
+}
+
+}  // namespace index_boolean

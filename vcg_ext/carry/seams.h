@@ -1,0 +1,36 @@
+// SPDX-FileCopyrightText: 2026 The Index Boolean authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// in: operands some of whose vertices were welded; out: which of those are the two sides of a seam
+// and stay apart in every output: a hard edge, or a border of a texture.
+// Guarantee: by indices, and by what the caller says of two vertices' attributes. Copies of a
+// vertex where an operand touches itself are no seam, nor are the corners of a triangle soup whose
+// attributes agree but for the normals, which then tell nothing.
+#pragma once
+
+#include "vcg_ext/arrange/given_faces.h"
+#include "vcg_ext/base/monitor.h"
+#include "vcg_ext/base/status.h"
+
+namespace index_boolean {
+
+// Whether two vertices of one operand have the same attributes; with or without their normals.
+using SameAttributes = std::function<bool(VertexId a, VertexId b, bool alsoNormals)>;
+
+struct Seams {
+	// Per vertex as given: the first vertex in its place that it need not be apart from. Empty: no
+	// two vertices of an operand stay apart.
+	std::vector<VertexId> side;
+
+	bool any() const { return !side.empty(); }
+	VertexId sideOf(VertexId v) const { return side.empty() ? v : at(side, v); }
+};
+
+// Finds the seams of the operands that have any.
+// \return Ok, Cancelled, OutOfMemory
+// Complexity: O(1) if no operand has two vertices in one place; else O(n + k log k) for n faces, k
+// of them at such places.
+Status findSeams(const Arrangement& arrangement, const GivenTriangles& given,
+                 const SameAttributes& same, Monitor& monitor, Seams& out);
+
+}  // namespace index_boolean

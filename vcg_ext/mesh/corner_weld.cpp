@@ -1,0 +1,259 @@
+// SPDX-FileCopyrightText: 2026 The Index Boolean authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Most vertices are alone in their place. Two passes over the points, by a table of bits that the
+// processor's caches hold, rule out nearly all of these; the others are compared exactly.
+#include "vcg_ext/mesh/corner_weld.h"
+
+#include "vcg_ext/base/huge_vector.h"
+#include "vcg_ext/base/parallel.h"
+#include "vcg_ext/exact/coordinate_hash.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cstring>
+#include <limits>
+
+namespace index_boolean {
+
+namespace {
+
+constexpr std::size_t kGrain = 1 << 15;
+constexpr std::uint32_t kEmpty = 0xffffffffu;
+constexpr double kMax = std::numeric_limits<double>::max();
+
+// Where a vertex sets its bits.
+struct PlaceBits {
+	std::size_t cell;
+	std::uint64_t mask;
+};
+
+// The places of both operands' vertices: each sets two bits of a word of its operand. Threads add
+// at the same time.
+class PlaceSieve {
+public:
+	// A word for four to eight vertices of the larger operand.
+	explicit PlaceSieve(std::size_t vertexCount) {
+		while (vertexCount >> shift_ > 8)
+			++shift_;
+		cells_ = std::vector<Cell>(std::size_t{1} << shift_);
+	}
+
+	// From the upper half of a sum of products, since coordinates may end in many zeros; the same
+	// for 0 and -0. Lets the processor fetch what add() and mayShare() need.
+	PlaceBits bitsOf(const Point& p) const {
+		constexpr std::array<std::uint64_t, 3> kFactors{0x9e3779b97f4a7c15U, 0xd6e8feb86659fd93U,
+		                                                0xa0761d6478bd642fU};
+		std::uint64_t hash = 0;
+		for (std::size_t axis = 0; axis < 3; ++axis) {
+			const double unsignedZero = p[axis] + 0.0;
+			std::uint64_t bits;
+			std::memcpy(&bits, &unsignedZero, sizeof bits);
+			hash += (bits ^ bits >> 32) * kFactors[axis];
+		}
+		constexpr std::uint64_t kOne = 1;
+		const auto cell = static_cast<std::size_t>(hash >> 12 >> (52 - shift_));
+#ifdef __GNUC__
+		__builtin_prefetch(&cells_[cell], 1);
+#endif
+		return {cell, kOne << (hash >> 26 & 63) | kOne << (hash >> 20 & 63)};
+	}
+
+	// Of two vertices that are added with the same bits, at the same time or not, one finds them.
+	void add(std::size_t operand, PlaceBits bits) {
+		Cell& cell = cells_[bits.cell];
+		if (set(cell.once[operand], bits.mask))
+			set(cell.twice[operand], bits.mask);
+	}
+
+	// Once all are added: whether this one may have another in its place.
+	bool mayShare(std::size_t operand, PlaceBits bits) const {
+		const Cell& cell = cells_[bits.cell];
+		return has(cell.twice[operand], bits.mask) || has(cell.once[1 - operand], bits.mask);
+	}
+
+private:
+	using Word = std::atomic<std::uint64_t>;
+	struct Cell {  // per operand: the bits that any vertex has set, and that two have
+		std::array<Word, 2> once, twice;
+	};
+
+	static bool has(const Word& word, std::uint64_t mask) {
+		return (word.load(std::memory_order_relaxed) & mask) == mask;
+	}
+
+	// \return whether the bits had been set before
+	static bool set(Word& word, std::uint64_t mask) {
+		std::uint64_t before = word.load(std::memory_order_relaxed);
+		if ((before & mask) != mask)
+			before = word.fetch_or(mask, std::memory_order_relaxed);
+		return (before & mask) == mask;
+	}
+
+	unsigned shift_ = 4;
+	std::vector<Cell> cells_;
+};
+
+// Vertices by their coordinates: open addressing with linear probing, at most half full.
+class VertexTable {
+public:
+	VertexTable(const Points& points, std::size_t most) : points_(points) {
+		std::size_t size = 16;
+		while (size < 2 * most)
+			size *= 2;
+		slots_.assign(size, kEmpty);
+	}
+
+	// The vertex at this one's place; if there is none yet, this one, which is put there.
+	std::uint32_t findOrAdd(std::uint32_t vertex) {
+		std::uint32_t& slot = slots_[slotOf(points_[vertex])];
+		if (slot == kEmpty)
+			slot = vertex;
+		return slot;
+	}
+
+	// The vertex at a place, or kEmpty.
+	std::uint32_t vertexAt(const Point& p) const { return slots_[slotOf(p)]; }
+
+private:
+	std::size_t slotOf(const Point& p) const {
+		std::size_t slot = coordinateHash(p) & (slots_.size() - 1);
+		while (slots_[slot] != kEmpty && points_[slots_[slot]] != p)
+			slot = (slot + 1) & (slots_.size() - 1);
+		return slot;
+	}
+
+	const Points& points_;
+	HugeVector<std::uint32_t> slots_;
+};
+
+// Calls body(operand, begin, end) for chunks of both operands' vertices.
+template <class Body>
+Status forEachVertexRange(const MeshArrays& mesh, int threads, Monitor& monitor, Body&& body) {
+	const std::size_t second = mesh.vertexBegin[1];
+	return parallelFor(mesh.points.size(), kGrain, threads, monitor,
+	                   [&](std::size_t begin, std::size_t end) {
+		                   body(std::size_t{0}, begin, std::min(end, second));
+		                   body(std::size_t{1}, std::max(begin, second), end);
+	                   });
+}
+
+// Calls use(vertex, bits) for the vertices [begin, end): the memory of some of them is asked for
+// before the first is waited for.
+template <class Use>
+void askAhead(const Points& points, std::size_t begin, std::size_t end, const PlaceSieve& sieve,
+              Use&& use) {
+	constexpr std::size_t kAhead = 16;
+	std::array<PlaceBits, kAhead> bits{};
+	for (std::size_t first = begin; first < end; first += kAhead) {
+		const std::size_t count = std::min(kAhead, end - first);
+		for (std::size_t i = 0; i < count; ++i)
+			bits[i] = sieve.bitsOf(points[first + i]);
+		for (std::size_t i = 0; i < count; ++i)
+			use(first + i, bits[i]);
+	}
+}
+
+}  // namespace
+
+Status CornerWelder::findSuspects(double most, bool& inRange) {
+	const Points& points = mesh_.points;
+	const std::size_t second = mesh_.vertexBegin[1];
+	PlaceSieve sieve(std::max(second, points.size() - second));
+	std::atomic<bool> allInRange{true};
+	const auto add = [&](std::size_t operand, std::size_t begin, std::size_t end) {
+		bool within = true;
+		askAhead(points, begin, end, sieve, [&](std::size_t v, PlaceBits bits) {
+			within &= isWithin(points[v], most);
+			sieve.add(operand, bits);
+		});
+		if (!within)
+			allInRange = false;
+	};
+	std::vector<std::vector<std::uint32_t>> found(2 * chunkCount(points.size(), kGrain));
+	const auto find = [&](std::size_t operand, std::size_t begin, std::size_t end) {
+		askAhead(points, begin, end, sieve, [&](std::size_t v, PlaceBits bits) {
+			if (sieve.mayShare(operand, bits) && isWithin(points[v], kMax))
+				found[2 * (v / kGrain) + operand].push_back(static_cast<std::uint32_t>(v));
+		});
+	};
+	Status status = forEachVertexRange(mesh_, threads_, monitor_, add);
+	if (status.ok())
+		status = forEachVertexRange(mesh_, threads_, monitor_, find);
+	inRange = allInRange;
+	for (std::size_t i = 0; i < found.size(); ++i)
+		suspects_[i % 2].insert(suspects_[i % 2].end(), found[i].begin(), found[i].end());
+	return status;
+}
+
+// Replaces each corner of the faces from firstFace on.
+Status CornerWelder::replaceCorners(const std::vector<Move>& moves, std::size_t firstFace) {
+	if (moves.empty())
+		return {};
+	HugeVector<VertexId> canonical(mesh_.points.size());
+	Status status = parallelFor(mesh_.points.size(), kGrain, threads_, monitor_,
+	                            [&canonical](std::size_t begin, std::size_t end) {
+		                            for (std::size_t v = begin; v < end; ++v)
+			                            canonical[v] = makeId<VertexTag>(v);
+	                            });
+	for (const Move& move : moves)
+		canonical[move.vertex] = {move.to};
+	if (!status.ok())
+		return status;
+	return parallelFor(mesh_.triangles.size() - firstFace, kGrain, threads_, monitor_,
+	                   [&](std::size_t begin, std::size_t end) {
+		                   for (std::size_t f = firstFace + begin; f < firstFace + end; ++f) {
+			                   for (VertexId& v : mesh_.triangles[f])
+				                   v = at(canonical, v);
+		                   }
+	                   });
+}
+
+Status CornerWelder::weldWithinOperands(std::array<bool, 2>& welded) {
+	std::array<std::vector<Move>, 2> moves;
+	const int halves = threadsForHalves(suspects_[0].size() + suspects_[1].size(), threads_);
+	const Status status =
+	    parallelFor(2, 1, halves, monitor_, [&](std::size_t begin, std::size_t end) {
+		    for (std::size_t operand = begin; operand < end; ++operand) {
+			    VertexTable table(mesh_.points, suspects_[operand].size());
+			    for (const std::uint32_t v : suspects_[operand]) {
+				    const std::uint32_t first = table.findOrAdd(v);
+				    if (first != v)
+					    moves[operand].push_back({v, first});
+			    }
+		    }
+	    });
+	welded = {!moves[0].empty(), !moves[1].empty()};
+	moves[0].insert(moves[0].end(), moves[1].begin(), moves[1].end());
+	return status.ok() ? replaceCorners(moves[0], 0) : status;
+}
+
+// Per vertex of the first operand: a face of it has a corner there.
+std::vector<bool> CornerWelder::usedByFirst() const {
+	std::vector<bool> used(mesh_.vertexBegin[1], false);
+	for (std::size_t face = 0; face < mesh_.faceBegin[1]; ++face) {
+		for (const VertexId v : mesh_.triangles[face])
+			used[v.value] = true;
+	}
+	return used;
+}
+
+Status CornerWelder::weldSecondToFirst() {
+	VertexTable first(mesh_.points, suspects_[0].size());
+	for (const std::uint32_t v : suspects_[0])
+		first.findOrAdd(v);
+	std::vector<Move> moves;
+	for (const std::uint32_t v : suspects_[1]) {
+		const std::uint32_t twin = first.vertexAt(mesh_.points[v]);
+		if (twin != kEmpty)
+			moves.push_back({v, twin});
+	}
+	if (moves.empty())
+		return {};
+	const std::vector<bool> used = usedByFirst();
+	const auto isUnused = [&used](const Move& move) { return !used[move.to]; };
+	moves.erase(std::remove_if(moves.begin(), moves.end(), isUnused), moves.end());
+	return replaceCorners(moves, mesh_.faceBegin[1]);
+}
+
+}  // namespace index_boolean

@@ -1,0 +1,31 @@
+// SPDX-FileCopyrightText: 2026 The Index Boolean authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What every output that is a surface consists of: a mesh, and where each of its elements came
+// from.
+#pragma once
+
+#include "vcg_ext/base/mesh_types.h"
+
+#include <vector>
+
+namespace index_boolean {
+
+// The input face that an output face is or is a piece of, and whether the output turned it over.
+struct FaceSource {
+	FaceId face;
+	bool turned;
+};
+
+// Arrays are parallel: points with vertexSource, triangles with faceSource and, unless it is empty,
+// faux. Triangles index `points`. A vertexSource is an input vertex or a curve point.
+struct SourcedMesh {
+	Points points;
+	HugeVector<VertexId> vertexSource;
+	IndexTriangles triangles;
+	HugeVector<FaceSource> faceSource;
+	std::vector<std::uint8_t> faux;  // as in MeshArrays; empty if no face has a faux edge
+	std::size_t zeroAreaFacesRemoved = 0;
+};
+
+}  // namespace index_boolean

@@ -1,0 +1,93 @@
+// SPDX-FileCopyrightText: 2026 The Index Boolean authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Rounding moves each point by at most a step; a face then sweeps at most the step times the square
+// of the largest distance. Volumes beyond the range of double tell nothing: closedness alone
+// counts.
+#include "vcg_ext/parts/split_audit.h"
+
+#include "vcg_ext/base/parallel.h"
+#include "vcg_ext/mesh/measure.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace index_boolean {
+
+namespace {
+
+class Rounding {
+public:
+	Rounding(const BoundingBox& box, OutputScalar scalar) {
+		double reach = 0;
+		for (std::size_t axis = 0; axis < 3; ++axis) {
+			reach = std::max({reach, -box.lo[axis], box.hi[axis]});
+		}
+		diagonal_ = std::hypot(box.hi[0] - box.lo[0], box.hi[1] - box.lo[1], box.hi[2] - box.lo[2]);
+		const double ulp = scalar == OutputScalar::Float
+		                       ? static_cast<double>(std::numeric_limits<float>::epsilon())
+		                       : std::numeric_limits<double>::epsilon();
+		step_ = ulp * reach;
+	}
+
+	// Whether rounding can make up a difference between volumes below this many faces.
+	bool explains(double difference, std::size_t faces) const {
+		constexpr double kRoundings = 16;  // of a face: its corners and its terms of the sum
+		const double length = diagonal_ + step_;
+		const double most = kRoundings * static_cast<double>(faces) * step_ * length * length;
+		return !(std::fabs(difference) > most + std::numeric_limits<double>::min());
+	}
+
+private:
+	double diagonal_, step_;
+};
+
+// The volume of the blocks in an operand less its own: 0 but for roundings, as also where it is
+// open.
+double lawDifference(const Arrangement& arrangement, const SubBlocks& blocks, std::size_t operand) {
+	double sum = 0;
+	for (const SubBlock& block : blocks.all) {
+		sum += block.windings[operand] * block.volume;
+	}
+	return sum - arrangement.volume[operand];
+}
+
+}  // namespace
+
+Status auditSubBlocks(const Arrangement& arrangement, const SubSurfaces& surfaces,
+                      const SubBlocks& blocks, const std::vector<SplitMesh>& boundaries,
+                      Monitor& monitor, SplitAudit& out) {
+	out = SplitAudit{};
+	const Points& points = arrangement.mesh.points;
+	const Options& options = arrangement.options;
+	BoundingBox box{};
+	Status status = findBoundingBox(points.data(), points.size(), options.threads, monitor, box);
+	const Rounding inside(box, OutputScalar::Double), delivered(box, options.outputScalar);
+	bool right = true;
+	double most = 0;
+	for (std::size_t operand = 0; operand < 2; ++operand) {
+		const double difference = lawDifference(arrangement, blocks, operand);
+		right = right && inside.explains(difference, 2 * surfaces.complex.faces.size());
+		most = std::max(most, std::fabs(difference));
+	}
+	// Of volumes beyond the range of double no law tells anything; closedness is what counts then.
+	const double residual = most / (arrangement.volume[0] + arrangement.volume[1]);
+	out.volumeLawResidual = std::isfinite(residual) ? residual : 0;
+	for (std::size_t i = 0; i < boundaries.size() && status.ok(); ++i) {
+		const SplitMesh& mesh = boundaries[i];
+		const BlockMeasure measure = measureSurface(mesh.points, mesh.triangles, options.threads);
+		const std::size_t faces = mesh.triangles.size() + mesh.zeroAreaFacesRemoved;
+		out.closed = out.closed && measure.closed;
+		right = right && delivered.explains(measure.volume - blocks.all[i].volume, faces);
+		if (pollCancelled(monitor)) {
+			status.code = StatusCode::Cancelled;
+		}
+	}
+	if (status.ok() && !(right && out.closed)) {
+		status.code = StatusCode::InternalError;
+	}
+	return status;
+}
+
+}  // namespace index_boolean

@@ -1,0 +1,213 @@
+// SPDX-FileCopyrightText: 2026 The Index Boolean authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Faces of the complex are chosen, then written with new numbers for their vertices, in the order
+// of the old ones: so a mesh does not depend on the others.
+#include "vcg_ext/parts/split_meshes.h"
+
+#include "vcg_ext/arrange/places.h"
+#include "vcg_ext/base/parallel.h"
+#include "vcg_ext/carry/polygons.h"
+#include "vcg_ext/mesh/clean.h"
+
+#include <algorithm>
+
+namespace index_boolean {
+
+namespace {
+
+constexpr std::size_t kGrain = 1 << 14;
+constexpr std::uint32_t kUnused = 0xffffffffu;
+
+// A face of the complex as a mesh has it.
+struct ChosenFace {
+	std::uint32_t face;
+	FaceSource source;
+	bool turned;  // the other way than the complex has it
+};
+
+class Collector {
+public:
+	Collector(const Arrangement& arrangement, const SubSurfaces& surfaces, const SubBlocks& blocks,
+	          Monitor& monitor, SplitMesh& out)
+	    : arrangement_(arrangement), surfaces_(surfaces), blocks_(blocks), monitor_(monitor),
+	      out_(out) {}
+
+	// Makes room for faces to be chosen.
+	void expect(std::size_t faceCount) { chosen_.reserve(faceCount); }
+	void choose(const ChosenFace& face) { chosen_.push_back(face); }
+	// Makes the mesh of the chosen faces.
+	Status run();
+
+private:
+	void listVertices();
+	std::uint32_t numberOf(VertexId v) const;
+	Status placeVertices();
+	Status clean();
+	Status markPolygons();
+	std::array<std::int32_t, 2> besideOf(const ChosenFace& face) const;
+
+	const Arrangement& arrangement_;
+	const SubSurfaces& surfaces_;
+	const SubBlocks& blocks_;
+	Monitor& monitor_;
+	SplitMesh& out_;
+	HugeVector<ChosenFace> chosen_;
+	HugeVector<std::uint32_t> numbers_;  // per vertex, kUnused without; empty: look it up
+};
+
+std::array<std::int32_t, 2> Collector::besideOf(const ChosenFace& face) const {
+	std::array<std::int32_t, 2> beside = at(blocks_.beside, surfaces_.ofFace[face.face]);
+	if (face.turned != (surfaces_.turned[face.face] != 0)) {
+		std::swap(beside[0], beside[1]);
+	}
+	return beside;
+}
+
+// Lists the vertices of the chosen faces, ascending: by marks unless few of all are chosen.
+void Collector::listVertices() {
+	const HugeVector<RefinedFace>& faces = surfaces_.complex.faces;
+	HugeVector<VertexId>& used = out_.vertexSource;
+	constexpr std::size_t kFewOf = 64;
+	if (chosen_.size() < faces.size() / kFewOf) {
+		for (const ChosenFace& face : chosen_) {
+			const Triangle& t = faces[face.face].corners;
+			used.insert(used.end(), t.begin(), t.end());
+		}
+		std::sort(used.begin(), used.end());
+		used.erase(std::unique(used.begin(), used.end()), used.end());
+		return;
+	}
+	numbers_.assign(arrangement_.mesh.points.size() + arrangement_.curve.pointCount(), kUnused);
+	for (const ChosenFace& face : chosen_) {
+		for (const VertexId v : faces[face.face].corners) {
+			at(numbers_, v) = 0;
+		}
+	}
+	used.reserve(numbers_.size());
+	for (std::uint32_t v = 0; v < numbers_.size(); ++v) {
+		if (numbers_[v] != kUnused) {
+			numbers_[v] = static_cast<std::uint32_t>(used.size());
+			used.push_back({v});
+		}
+	}
+}
+
+std::uint32_t Collector::numberOf(VertexId v) const {
+	if (!numbers_.empty()) {
+		return at(numbers_, v);
+	}
+	const auto it = std::lower_bound(out_.vertexSource.begin(), out_.vertexSource.end(), v);
+	return static_cast<std::uint32_t>(it - out_.vertexSource.begin());
+}
+
+Status Collector::placeVertices() {
+	listVertices();
+	const HugeVector<VertexId>& used = out_.vertexSource;
+	out_.points.resize(used.size());
+	return parallelFor(used.size(), kGrain, arrangement_.options.threads, monitor_,
+	                   [&](std::size_t begin, std::size_t end) {
+		                   for (std::size_t v = begin; v < end; ++v) {
+			                   out_.points[v] = outputCoordinates(arrangement_, used[v]);
+		                   }
+	                   });
+}
+
+Status Collector::clean() {
+	CleanResult cleaned;
+	const Status status =
+	    cleanMesh(FaceRange{0, out_.triangles.size()}, arrangement_.options.threads, monitor_,
+	              out_.points, out_.triangles, cleaned);
+	if (status.ok()) {
+		out_.zeroAreaFacesRemoved = cleaned.zeroAreaFacesRemoved;
+		cleaned.faces.apply(out_.faceSource);
+		cleaned.faces.apply(out_.subSurface);
+		cleaned.faces.apply(out_.beside);
+		cleaned.vertices.apply(out_.vertexSource);
+	}
+	return status;
+}
+
+// Polygons end where sub-surfaces do.
+Status Collector::markPolygons() {
+	std::vector<std::uint32_t> part;
+	if (!arrangement_.polygons.polygon.empty()) {
+		for (const SubSurfaceId id : out_.subSurface) {
+			part.push_back(id.value);
+		}
+	}
+	return findFauxEdges(arrangement_, part, monitor_, out_);
+}
+
+Status Collector::run() {
+	Status status = placeVertices();
+	const std::size_t n = chosen_.size();
+	out_.triangles.resize(n);
+	out_.faceSource.resize(n);
+	out_.subSurface.resize(n);
+	out_.beside.resize(n);
+	const auto write = [&](std::size_t begin, std::size_t end) {
+		for (std::size_t i = begin; i < end; ++i) {
+			const ChosenFace& face = chosen_[i];
+			const Triangle& t = surfaces_.complex.faces[face.face].corners;
+			out_.triangles[i] = {numberOf(t[0]), numberOf(t[face.turned ? 2 : 1]),
+			                     numberOf(t[face.turned ? 1 : 2])};
+			out_.faceSource[i] = face.source;
+			out_.subSurface[i] = surfaces_.ofFace[face.face];
+			out_.beside[i] = besideOf(face);
+		}
+	};
+	if (status.ok()) {
+		status = parallelFor(n, kGrain, arrangement_.options.threads, monitor_, write);
+	}
+	if (status.ok()) {
+		status = clean();
+	}
+	return status.ok() ? markPolygons() : status;
+}
+
+}  // namespace
+
+Status collectSubSurfaces(const Arrangement& arrangement, const SubSurfaces& surfaces,
+                          const SubBlocks& blocks, std::size_t operand, Monitor& monitor,
+                          SplitMesh& out) {
+	out = SplitMesh{};
+	Collector collector(arrangement, surfaces, blocks, monitor, out);
+	const HugeVector<RefinedFace>& faces = surfaces.complex.faces;
+	collector.expect(faces.size());
+	const auto choose = [&](std::size_t begin, std::size_t end) {
+		for (std::size_t f = begin; f < end; ++f) {
+			const FaceId source = faces[f].sources[operand];
+			if (source != FaceId::none()) {
+				const bool isOther = source != faces[f].source();
+				collector.choose(
+				    {static_cast<std::uint32_t>(f), {source, false}, isOther && faces[f].opposed});
+			}
+		}
+	};
+	const Status status = inOrderFor(faces.size(), kGrain, monitor, choose);
+	return status.ok() ? collector.run() : status;
+}
+
+Status collectSubBlock(const Arrangement& arrangement, const SubSurfaces& surfaces,
+                       const SubBlocks& blocks, SubBlockId block, Monitor& monitor,
+                       SplitMesh& out) {
+	out = SplitMesh{};
+	Collector collector(arrangement, surfaces, blocks, monitor, out);
+	std::size_t faceCount = 0;
+	for (const SubSurfaceSide& side : at(blocks.all, block).sides) {
+		faceCount += at(surfaces.all, side.of).faceCount;
+	}
+	collector.expect(faceCount);
+	for (const SubSurfaceSide& side : at(blocks.all, block).sides) {
+		const SubSurface& surface = at(surfaces.all, side.of);
+		for (std::uint32_t i = surface.firstFace; i < surface.firstFace + surface.faceCount; ++i) {
+			const std::uint32_t face = surfaces.faces[i];
+			const bool turned = side.isBack == (surfaces.turned[face] != 0);
+			collector.choose({face, {surfaces.complex.faces[face].source(), turned}, turned});
+		}
+	}
+	return collector.run();
+}
+
+}  // namespace index_boolean

@@ -1,0 +1,31 @@
+// SPDX-FileCopyrightText: 2026 The Index Boolean authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// in: sub-surfaces and sub-blocks; out: meshes of them, each element with where it came from.
+// Guarantee: a sub-block's mesh is closed and faces outwards; coordinates are rounded once; no face
+// has zero area. Cuts stay, so that neighbours fit together.
+#pragma once
+
+#include "vcg_ext/mesh/sourced_mesh.h"
+#include "vcg_ext/parts/sub_blocks.h"
+
+namespace index_boolean {
+
+// subSurface and beside are parallel to the triangles.
+struct SplitMesh : SourcedMesh {
+	HugeVector<SubSurfaceId> subSurface;
+	HugeVector<std::array<std::int32_t, 2>> beside;  // blocks in front of the face and behind it
+};
+
+// The mesh of all sub-surfaces of one operand: that operand with its cuts, turned as it was given.
+// \return Ok, Cancelled, OutOfMemory, InternalError. Complexity: O(n).
+Status collectSubSurfaces(const Arrangement& arrangement, const SubSurfaces& surfaces,
+                          const SubBlocks& blocks, std::size_t operand, Monitor& monitor,
+                          SplitMesh& out);
+
+// The boundary of one sub-block, which lies behind all faces; what dangles in it is left out.
+// \return Ok, Cancelled, OutOfMemory, InternalError. Complexity: O(m log m) for its m faces.
+Status collectSubBlock(const Arrangement& arrangement, const SubSurfaces& surfaces,
+                       const SubBlocks& blocks, SubBlockId block, Monitor& monitor, SplitMesh& out);
+
+}  // namespace index_boolean

@@ -1,0 +1,52 @@
+// SPDX-FileCopyrightText: 2026 The Index Boolean authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// in: the sub-surfaces; out: the sub-blocks: the bounded parts that all surfaces together cut space
+// into, each with the sides of the sub-surfaces that bound it.
+// Guarantee: exact. Each side of a sub-surface faces exactly one part of space; one that has the
+// same part on both sides (it dangles, or has one side only) bounds nothing. The order of the
+// sub-blocks depends on coordinates only.
+// Source: Mei & Tipper 2013, step 6, with half-planes sorted around each loop in place of a search
+// for sub-surfaces with common loops.
+#pragma once
+
+#include "vcg_ext/parts/sub_surfaces.h"
+
+namespace index_boolean {
+
+using SubBlockId = Id<struct SubBlockTag>;
+
+constexpr std::int32_t kNoBlock = -1;  // the unbounded outside
+
+// A side of a sub-surface.
+struct SubSurfaceSide {
+	SubSurfaceId of;
+	bool isBack;
+};
+
+struct SubBlock {
+	double volume;
+	double area;                           // of its boundary
+	std::vector<SubSurfaceSide> sides;     // that bound it, ascending
+	std::vector<SubSurfaceId> dangling;    // with this block on both sides
+	std::array<std::int32_t, 2> windings;  // of each operand around it; 0 if that is open
+};
+
+struct SubBlocks {
+	std::vector<SubBlock> all;
+	// Per sub-surface: the block in front of it and behind it; kNoBlock is the outside.
+	std::vector<std::array<std::int32_t, 2>> beside;
+	// Per sub-surface: it has different parts of space on its two sides.
+	std::vector<std::uint8_t> separates;
+};
+
+// Finds the sub-blocks of an arrangement.
+// \param surfaces of the same arrangement
+// \return Ok, Cancelled, OutOfMemory, InternalError; SelfIntersecting where faces overlap that are
+//         not the same
+// Complexity: O(n + c log c) for n triangles and c loops, and one ray for each part of the surfaces
+// that no edge joins to others.
+Status findSubBlocks(const Arrangement& arrangement, const SubSurfaces& surfaces, Monitor& monitor,
+                     SubBlocks& out);
+
+}  // namespace index_boolean
