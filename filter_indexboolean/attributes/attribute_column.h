@@ -112,8 +112,9 @@ AttributeColumn vertexColumn(const OperandElementsAccess& access, std::string na
 	AttributeColumn column{std::move(name), has, ElementKind::Vertex, {}, {}, {}};
 	const auto cornerValues = [&access, get](const OperandElementsAccess::Spot& face) {
 		std::array<Value, 3> values;
-		for (std::size_t j = 0; j < 3; ++j)
+		for (std::size_t j = 0; j < 3; ++j) {
 			values[j] = get(face.operand, access.cornerVertex(face, j));
+		}
 		return values;
 	};
 	const auto valueOf = [=, &access](const AttributeSources& sources, std::size_t v) {
@@ -132,8 +133,9 @@ AttributeColumn vertexColumn(const OperandElementsAccess& access, std::string na
 	column.prepare = [=](const AttributeSources& sources, MeshModel& layer) -> RangeWriter {
 		return [=, &sources, put = prepare(layer, sources)](std::size_t begin,
 		                                                    std::size_t end) mutable {
-			for (std::size_t v = begin; v < end; ++v)
+			for (std::size_t v = begin; v < end; ++v) {
 				put(v, valueOf(sources, v));
+			}
 		};
 	};
 	column.appendKey = [=](const OperandElementsAccess::Spot& face, std::string& key) {
@@ -156,8 +158,9 @@ AttributeColumn faceColumn(const OperandElementsAccess& access, std::string name
 	                              MeshModel& layer) -> RangeWriter {
 		return [=, &access, &sources, put = prepare(layer, sources)](std::size_t begin,
 		                                                             std::size_t end) mutable {
-			for (std::size_t f = begin; f < end; ++f)
+			for (std::size_t f = begin; f < end; ++f) {
 				put(f, valueOf(access.face(sources.face[f])));
+			}
 		};
 	};
 	column.appendKey = [=](const OperandElementsAccess::Spot& face, std::string& key) {
@@ -182,8 +185,9 @@ AttributeColumn cornerColumn(const OperandElementsAccess& access, std::string na
 		const std::uint32_t source = sources.corner[f][corner];
 		const bool isMix = source >= 3;
 		const auto face = access.face(isMix ? sources.mixes[source - 3].face : sources.face[f]);
-		if (!has[face.operand])
+		if (!has[face.operand]) {
 			return missing;
+		}
 		return isMix ? mixed(cornerValues(face), sources.mixes[source - 3].weights)
 		             : get(face.operand, face.position, std::size_t{source});
 	};
@@ -191,8 +195,9 @@ AttributeColumn cornerColumn(const OperandElementsAccess& access, std::string na
 		return [=, &sources, put = prepare(layer, sources)](std::size_t begin,
 		                                                    std::size_t end) mutable {
 			for (std::size_t f = begin; f < end; ++f) {
-				for (std::size_t i = 0; i < 3; ++i)
+				for (std::size_t i = 0; i < 3; ++i) {
 					put(f, i, valueOf(sources, f, i));
+				}
 			}
 		};
 	};

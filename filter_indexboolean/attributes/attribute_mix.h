@@ -32,8 +32,9 @@ template <class Value, class Part>
 double meanOf(const std::array<Value, 3>& values, const Weights& weights, Part&& part) {
 	double sum = 0;
 	for (std::size_t i = 0; i < 3; ++i) {
-		if (weights[i] > 0)
+		if (weights[i] > 0) {
 			sum += weights[i] * static_cast<double>(part(values[i]));
+		}
 	}
 	return sum;
 }
@@ -109,11 +110,13 @@ inline bool weightedMean(const std::array<bool, 3>&, const Weights&) { return fa
 template <class Value>
 Value mixed(const std::array<Value, 3>& values, const Weights& weights) {
 	std::size_t first = 0;
-	while (first < 2 && !(weights[first] > 0))
+	while (first < 2 && !(weights[first] > 0)) {
 		++first;
+	}
 	bool isConstant = true;
-	for (std::size_t i = first + 1; i < 3; ++i)
+	for (std::size_t i = first + 1; i < 3; ++i) {
 		isConstant = isConstant && (!(weights[i] > 0) || values[i] == values[first]);
+	}
 	return isConstant ? values[first] : weightedMean(values, weights);
 }
 

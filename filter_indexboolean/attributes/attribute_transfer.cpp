@@ -35,8 +35,9 @@ AttributeNeeds AttributeTransfer::needs() const {
 bool AttributeTransfer::areSame(const OperandElementsAccess::Spot& a,
                                 const OperandElementsAccess::Spot& b, bool alsoNormals) const {
 	const auto& vertices = access_.mesh(a.operand).vert;
-	if (alsoNormals && vertices[a.position].cN() != vertices[b.position].cN())
+	if (alsoNormals && vertices[a.position].cN() != vertices[b.position].cN()) {
 		return false;
+	}
 	return std::all_of(columns_.begin(), columns_.end(), [&](const AttributeColumn& column) {
 		return !column.sameAt || column.sameAt(a, b);
 	});
@@ -44,8 +45,9 @@ bool AttributeTransfer::areSame(const OperandElementsAccess::Spot& a,
 
 std::array<std::vector<std::uint32_t>, 2> AttributeTransfer::faceClasses() const {
 	std::array<std::vector<std::uint32_t>, 2> classes;
-	if (columns_.empty())
+	if (columns_.empty()) {
 		return classes;
+	}
 	std::unordered_map<std::string, std::uint32_t> numbers;
 	std::uint32_t next = 0;
 	for (std::uint32_t operand = 0; operand < 2; ++operand) {
@@ -109,10 +111,11 @@ void AttributeTransfer::prepare(const SourcedMesh& mesh, const AttributeSources&
 	if (options_.selectCurve) {
 		writers.vertices.push_back([&mesh, &sources, &layer](std::size_t begin, std::size_t end) {
 			for (std::size_t v = begin; v < end; ++v) {
-				if (mesh.vertexSource[v].value >= sources.vertexCount)
+				if (mesh.vertexSource[v].value >= sources.vertexCount) {
 					layer.cm.vert[v].SetS();
-				else
+				} else {
 					layer.cm.vert[v].ClearS();
+				}
 			}
 		});
 	}
@@ -124,11 +127,13 @@ std::vector<std::string> AttributeTransfer::messages(const LayerNames& names) co
 	for (std::size_t operand = 0; operand < 2; ++operand) {
 		std::vector<std::string> lacking;
 		for (const AttributeColumn& column : columns_) {
-			if (!column.has[operand] && !column.name.empty())
+			if (!column.has[operand] && !column.name.empty()) {
 				lacking.push_back(column.name);
+			}
 		}
-		if (!lacking.empty())
+		if (!lacking.empty()) {
 			messages.push_back(lackingAttributesMessage(names[operand], lacking));
+		}
 	}
 	return messages;
 }

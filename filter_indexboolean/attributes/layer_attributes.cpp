@@ -19,8 +19,9 @@ using Wedge = CFaceO::TexCoordType;
 // The rows of a matrix without its translation.
 std::array<Point3m, 3> rowsOf(const Matrix44m& matrix) {
 	std::array<Point3m, 3> rows;
-	for (int row = 0; row < 3; ++row)
+	for (int row = 0; row < 3; ++row) {
 		rows[static_cast<std::size_t>(row)] = {matrix[row][0], matrix[row][1], matrix[row][2]};
+	}
 	return rows;
 }
 
@@ -52,8 +53,9 @@ private:
 		return {access_.layer(0).hasDataMask(bit), access_.layer(1).hasDataMask(bit)};
 	}
 	void add(AttributeColumn column) {
-		if (column.has[0] || column.has[1])
+		if (column.has[0] || column.has[1]) {
 			columns.push_back(std::move(column));
+		}
 	}
 	template <class Value, class Get, class Put>
 	void addVertices(const char* name, int bit, Value missing, Get get, Put put);
@@ -213,8 +215,9 @@ void ColumnList::addSelection() {
 	    },
 	    [](MeshModel& layer, const AttributeSources&) {
 		    return [&layer](std::size_t v, bool selected) {
-			    if (selected)
+			    if (selected) {
 				    layer.cm.vert[v].SetS();
+			    }
 		    };
 	    }));
 	add(faceColumn<bool>(
@@ -225,8 +228,9 @@ void ColumnList::addSelection() {
 	    },
 	    [](MeshModel& layer, const AttributeSources&) {
 		    return [&layer](std::size_t f, bool selected) {
-			    if (selected)
+			    if (selected) {
 				    layer.cm.face[f].SetS();
+			    }
 		    };
 	    }));
 }
@@ -241,8 +245,9 @@ template <class Value, class Attributes>
 std::set<std::string> namesOf(const Attributes& attributes) {
 	std::set<std::string> names;
 	for (const vcg::PointerToAttribute& attribute : attributes) {
-		if (isOf<Value>(attribute))
+		if (isOf<Value>(attribute)) {
 			names.insert(attribute._name);
+		}
 	}
 	return names;
 }
@@ -257,8 +262,9 @@ struct AttributeArrays {
 		AttributeArrays found;
 		for (std::size_t operand = 0; operand < 2; ++operand) {
 			for (const vcg::PointerToAttribute& a : operand == 0 ? first : second) {
-				if (isOf<Value>(a) && a._name == name)
+				if (isOf<Value>(a) && a._name == name) {
 					found.of[operand] = a._handle;
+				}
 			}
 		}
 		return found;
@@ -311,14 +317,16 @@ void ColumnList::addUserAttributes(Value missing) {
 	std::set<std::string> names = namesOf<Value>(first.vert_attr);
 	names.merge(namesOf<Value>(second.vert_attr));
 	for (const std::string& name : names) {
-		if (isFree(name, first.vert_attr))
+		if (isFree(name, first.vert_attr)) {
 			addVertexAttribute(name, missing);
+		}
 	}
 	names = namesOf<Value>(first.face_attr);
 	names.merge(namesOf<Value>(second.face_attr));
 	for (const std::string& name : names) {
-		if (isFree(name, first.face_attr))
+		if (isFree(name, first.face_attr)) {
 			addFaceAttribute(name, missing);
+		}
 	}
 }
 
@@ -364,8 +372,9 @@ AttributeColumn normalColumn(const OperandElementsAccess& access, std::array<boo
 			const bool isMix = sources.isMix(v);
 			const std::size_t operand = isMix ? sources.mixOfVertex(v).face.operand
 			                                  : access.vertex(sources.vertex[v]).operand;
-			if (isMix)
+			if (isMix) {
 				normal.Normalize();
+			}
 			layer.cm.vert[v].N() = (sources.turned[v] != 0) != opposed[operand] ? -normal : normal;
 		};
 	};

@@ -21,8 +21,9 @@ std::string freeName(const std::vector<LayerTexture>& all, const std::string& na
 	const std::size_t end = dot == std::string::npos ? name.size() : dot;
 	for (int number = 2;; ++number) {
 		std::string other = name.substr(0, end) + "_" + std::to_string(number) + name.substr(end);
-		if (!hasName(all, other))
+		if (!hasName(all, other)) {
 			return other;
+		}
 	}
 }
 
@@ -41,16 +42,19 @@ TextureList::TextureList(const std::array<MeshModel*, 2>& layers) {
 		for (LayerTexture& texture : texturesOf(*layers[operand])) {
 			const auto same = std::find(all_.begin(), all_.end(), texture);
 			numbers_[operand].push_back(static_cast<short>(same - all_.begin()));
-			if (same != all_.end())
+			if (same != all_.end()) {
 				continue;
-			if (hasName(all_, texture.name))
+			}
+			if (hasName(all_, texture.name)) {
 				texture.name = freeName(all_, texture.name);
+			}
 			all_.push_back(std::move(texture));
 		}
 		if (numbers_[operand].size() == 1 &&
 		    layers[operand]->hasDataMask(MeshModel::MM_WEDGTEXCOORD) &&
-		    !namesTextures(*layers[operand]))
+		    !namesTextures(*layers[operand])) {
 			unnamed_[operand] = numbers_[operand].front();
+		}
 	}
 }
 
@@ -61,8 +65,9 @@ short TextureList::number(std::size_t operand, short texture) const {
 }
 
 void TextureList::addTo(MeshModel& layer) const {
-	for (const LayerTexture& texture : all_)
+	for (const LayerTexture& texture : all_) {
 		addTexture(texture, layer);
+	}
 }
 
 }  // namespace index_boolean

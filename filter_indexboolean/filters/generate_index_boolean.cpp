@@ -32,11 +32,13 @@ Options readOptions(const ParameterValues& values) {
 std::vector<Operation> readOperations(const ParameterValues& values) {
 	std::vector<Operation> operations;
 	for (const BlockDefinition& block : kBlockDefinitions) {
-		if (values.getBool(operationName(block.operation)))
+		if (values.getBool(operationName(block.operation))) {
 			operations.push_back(block.operation);
+		}
 	}
-	if (operations.empty())
+	if (operations.empty()) {
 		throw Refusal(nothingRequestedMessage());
+	}
 	return operations;
 }
 
@@ -45,8 +47,9 @@ std::vector<Operation> readOperations(const ParameterValues& values) {
 std::unique_ptr<AttributeTransfer> attributeTransfer(const ParameterValues& values,
                                                      const OperandLayers& operands,
                                                      BooleanRequest& request, OperandArrays& read) {
-	if (!values.getBool("transfer_attributes"))
+	if (!values.getBool("transfer_attributes")) {
 		return nullptr;
+	}
 	AttributeOptions options;
 	options.partCurve = values.getBool("duplicate_curve_vertices");
 	options.selectCurve = values.getBool("select_curve_vertices");
@@ -54,8 +57,9 @@ std::unique_ptr<AttributeTransfer> attributeTransfer(const ParameterValues& valu
 	request.given = transfer->givenTriangles();
 	request.same = transfer->sameAttributes();
 	request.needs = transfer->needs();
-	if (request.options.mergeCoplanar)
+	if (request.options.mergeCoplanar) {
 		read.arrays.faceClass = transfer->faceClasses();
+	}
 	return transfer;
 }
 
@@ -78,15 +82,17 @@ std::vector<LayerContent> contentsOf(const BooleanResult& result, const BooleanR
 		}
 		contents.push_back(std::move(content));
 	}
-	if (request.curves)
+	if (request.curves) {
 		contents.push_back(curveContent(result.curves, read, names));
+	}
 	return contents;
 }
 
 std::vector<int> idsOf(const std::vector<MeshModel*>& layers) {
 	std::vector<int> ids;
-	for (const MeshModel* layer : layers)
+	for (const MeshModel* layer : layers) {
 		ids.push_back(layer->id());
+	}
 	return ids;
 }
 
@@ -95,8 +101,9 @@ std::vector<std::string> findings(const BooleanResult& result, bool curves,
                                   const LayerNames& names) {
 	std::vector<std::string> messages = operandMessages(result.turned, result.duplicates, names);
 	if (transfer != nullptr) {
-		for (std::string& message : transfer->messages(names))
+		for (std::string& message : transfer->messages(names)) {
 			messages.push_back(std::move(message));
+		}
 	}
 	for (std::size_t i = 0; i < result.blocks.size(); ++i) {
 		const Block& block = result.blocks[i];
@@ -104,8 +111,9 @@ std::vector<std::string> findings(const BooleanResult& result, bool curves,
 		                       ? emptyBlockMessage(block.operation, names)
 		                       : blockMessage(block, result.audit.blocks[i], names));
 	}
-	if (curves)
+	if (curves) {
 		messages.push_back(curvesMessage(result.curves, result.loopCounts, names));
+	}
 	messages.push_back(timeMessage(seconds.total, result.seconds));
 	return messages;
 }

@@ -29,8 +29,9 @@ SplitRequest readRequest(const ParameterValues& values) {
 	request.subBlocks = values.getBool("sub_blocks");
 	request.separateLayers = values.getBool("separate_layers");
 	request.maxLayers = static_cast<std::size_t>(numberInRange(kFilter, "max_layers", values));
-	if (!request.subSurfaces[0] && !request.subSurfaces[1] && !request.subBlocks)
+	if (!request.subSurfaces[0] && !request.subSurfaces[1] && !request.subBlocks) {
 		throw Refusal(noPiecesRequestedMessage());
+	}
 	return request;
 }
 
@@ -50,11 +51,13 @@ LayerContent contentOf(const SplitLayer& layer, const AttributeSources& sources,
 	};
 	for (std::size_t k = 0; k < layer.numbers.size(); ++k) {
 		if (static_cast<FaceNumber>(k) != FaceNumber::SubBlock ||
-		    layer.kind == PieceKind::SubBlocks)
+		    layer.kind == PieceKind::SubBlocks) {
 			content.faceAttributes.push_back({kFaceNumberNames[k], layer.numbers[k]});
+		}
 	}
-	for (const Colour& c : layer.colours)
+	for (const Colour& c : layer.colours) {
 		content.faceColours.emplace_back(c[0], c[1], c[2], std::uint8_t{255});
+	}
 	return content;
 }
 
@@ -62,8 +65,9 @@ std::vector<LayerContent> contentsOf(const std::vector<SplitLayer>& layers,
                                      const std::vector<AttributeSources>& sources,
                                      const AttributeTransfer& transfer) {
 	std::vector<LayerContent> contents;
-	for (std::size_t i = 0; i < layers.size(); ++i)
+	for (std::size_t i = 0; i < layers.size(); ++i) {
 		contents.push_back(contentOf(layers[i], sources[i], transfer));
+	}
 	return contents;
 }
 
@@ -87,8 +91,9 @@ Status findSources(const AttributeTransfer& transfer, Progress& progress, SplitR
 PieceLayers layersByKind(const std::vector<SplitLayer>& layers,
                          const std::vector<MeshModel*>& added) {
 	PieceLayers ids;
-	for (std::size_t i = 0; i < layers.size(); ++i)
+	for (std::size_t i = 0; i < layers.size(); ++i) {
 		ids[static_cast<std::size_t>(layers[i].kind)].push_back(added[i]->id());
+	}
 	return ids;
 }
 
@@ -98,16 +103,20 @@ std::vector<std::string> findings(const SplitResult& result, const SplitRequest&
 	const Arrangement& arrangement = result.arrangement;
 	std::vector<std::string> messages =
 	    operandMessages(arrangement.turned, arrangement.duplicates, names);
-	for (std::string& message : transfer.messages(names))
+	for (std::string& message : transfer.messages(names)) {
 		messages.push_back(std::move(message));
-	for (std::size_t operand = 0; operand < 2; ++operand) {
-		if (request.subSurfaces[operand])
-			messages.push_back(subSurfacesMessage(result, operand, names));
 	}
-	if (request.subBlocks)
+	for (std::size_t operand = 0; operand < 2; ++operand) {
+		if (request.subSurfaces[operand]) {
+			messages.push_back(subSurfacesMessage(result, operand, names));
+		}
+	}
+	if (request.subBlocks) {
 		messages.push_back(subBlocksMessage(result, names));
-	if (request.separateLayers && !hasLayerForEachPiece(result, request))
+	}
+	if (request.separateLayers && !hasLayerForEachPiece(result, request)) {
 		messages.push_back(tooManyLayersMessage(pieceCount(result, request), request.maxLayers));
+	}
 	messages.push_back(timeMessage(seconds.total, result.seconds));
 	return messages;
 }

@@ -35,8 +35,9 @@ void addBlock(const Block& block, const BlockMeasure& measure, int layerId, Resu
 template <class Elements, class Number>
 QVariant listOf(const Elements& elements, Number&& number) {
 	std::vector<double> numbers;
-	for (const auto& element : elements)
+	for (const auto& element : elements) {
 		numbers.push_back(static_cast<double>(number(element)));
+	}
 	return listValue(numbers);
 }
 
@@ -85,8 +86,9 @@ void addIncidence(const CurveLines& curves, const SubSurfaces& surfaces, ResultM
 		for (std::size_t line = 0; line < curves.lines.size(); ++line) {
 			for (const SubSurfaceId id : surfaces.atLoop[line]) {
 				const std::int32_t number = at(surfaces.all, id).number[operand];
-				if (number < 0)
+				if (number < 0) {
 					continue;
+				}
 				loops.push_back(static_cast<double>(line));
 				pieces.push_back(number);
 			}
@@ -99,8 +101,9 @@ void addIncidence(const CurveLines& curves, const SubSurfaces& surfaces, ResultM
 
 void addSeconds(const std::vector<StageTime>& stages, double core, const AdapterSeconds& adapter,
                 ResultMap& map) {
-	for (const StageTime& time : stages)
+	for (const StageTime& time : stages) {
 		map["seconds_" + keyOf(time.stage)] = time.seconds;
+	}
 	map["seconds_read_layers"] = adapter.readLayers;
 	map["seconds_write_layers"] = adapter.writeLayers;
 	map["seconds_core"] = core;
@@ -120,8 +123,9 @@ ResultMap resultMap(const BooleanResult& result, const std::vector<int>& layerId
 	map["volume_law_residual"] = result.audit.volumeLawResidual;
 	map["zero_area_faces_removed"] = toInt(zeroAreaFaces);
 	addLoopCounts(result.loopCounts, map);
-	if (layerIds.size() > result.blocks.size())
+	if (layerIds.size() > result.blocks.size()) {
 		addLoops(result.curves, layerIds.back(), map);
+	}
 	addSeconds(result.stageTimes, result.seconds, seconds, map);
 	return map;
 }
@@ -135,11 +139,13 @@ ResultMap resultMap(const SplitResult& result, const PieceLayers& layerIds,
 		zeroAreaFaces += result.surfaceMeshes[operand].zeroAreaFacesRemoved;
 	}
 	addSubBlocks(result.split.blocks.all, map);
-	for (const SplitMesh& mesh : result.blockMeshes)
+	for (const SplitMesh& mesh : result.blockMeshes) {
 		zeroAreaFaces += mesh.zeroAreaFacesRemoved;
+	}
 	for (std::size_t kind = 0; kind < layerIds.size(); ++kind) {
-		if (layerIds[kind].empty())
+		if (layerIds[kind].empty()) {
 			continue;
+		}
 		map[std::string(kPieceNames[kind]) + "_layer"] = layerIds[kind].front();
 		map[std::string(kPieceNames[kind]) + "_layers"] =
 		    listOf(layerIds[kind], [](int id) { return id; });

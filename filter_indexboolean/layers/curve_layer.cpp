@@ -14,8 +14,9 @@ template <class Number>
 ScalarAttribute perVertex(const char* name, const CurveLines& curves, Number&& number) {
 	ScalarAttribute attribute{name, {}};
 	attribute.values.reserve(curves.points.size());
-	for (std::size_t vertex = 0; vertex < curves.points.size(); ++vertex)
+	for (std::size_t vertex = 0; vertex < curves.points.size(); ++vertex) {
 		attribute.values.push_back(static_cast<std::int32_t>(number(vertex)));
+	}
 	return attribute;
 }
 

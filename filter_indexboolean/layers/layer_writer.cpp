@@ -31,16 +31,18 @@ const std::vector<std::uint8_t>& fauxOf(const LayerContent& content) {
 template <class Attribute>
 RangeWriter scalarWriter(const ScalarAttribute& scalar, Attribute out) {
 	return [&scalar, out](std::size_t begin, std::size_t end) mutable {
-		for (std::size_t i = begin; i < end; ++i)
+		for (std::size_t i = begin; i < end; ++i) {
 			out[i] = static_cast<Scalarm>(scalar.values[i]);
+		}
 	};
 }
 
 template <class Elements>
 int countSelected(const Elements& elements, std::size_t begin, std::size_t end) {
 	int count = 0;
-	for (std::size_t i = begin; i < end; ++i)
+	for (std::size_t i = begin; i < end; ++i) {
 		count += elements[i].IsS() ? 1 : 0;
+	}
 	return count;
 }
 
@@ -62,35 +64,41 @@ void LayerWriter::prepareScalars() {
 }
 
 Status LayerWriter::begin(Monitor& monitor) {
-	if (!fauxOf(content_).empty())
+	if (!fauxOf(content_).empty()) {
 		layer_.updateDataMask(MeshModel::MM_POLYGONAL);
+	}
 	if (!content_.faceColours.empty()) {
 		layer_.updateDataMask(MeshModel::MM_FACECOLOR);
 		writers_.faces.push_back([this](std::size_t begin, std::size_t end) {
-			for (std::size_t f = begin; f < end; ++f)
+			for (std::size_t f = begin; f < end; ++f) {
 				layer_.cm.face[f].C() = content_.faceColours[f];
+			}
 		});
 	}
-	if (content_.prepareAttributes)
+	if (content_.prepareAttributes) {
 		content_.prepareAttributes(layer_, writers_);
+	}
 	prepareScalars();
 	return surface_.begin(monitor);
 }
 
 void LayerWriter::writeVertices(Monitor& monitor) {
 	if (content_.surface != nullptr && !content_.prepareAttributes &&
-	    !surface_.findVertexNormals(monitor).ok())
+	    !surface_.findVertexNormals(monitor).ok()) {
 		return;
+	}
 	CMeshO& mesh = layer_.cm;
 	const auto append = [&](std::size_t begin, std::size_t end) {
 		surface_.appendVertices(begin, end);
-		for (const RangeWriter& write : writers_.vertices)
+		for (const RangeWriter& write : writers_.vertices) {
 			write(begin, end);
+		}
 		mesh.svn += countSelected(mesh.vert, begin, end);
 	};
 	const Status status = inOrderFor(pointsOf(content_).size(), kAppendGrain, monitor, append);
-	if (status.ok() && content_.curves != nullptr)
+	if (status.ok() && content_.curves != nullptr) {
 		addEdges(content_.curves->edges, mesh);
+	}
 }
 
 void LayerWriter::writeFaces(Monitor& monitor) {
@@ -98,8 +106,9 @@ void LayerWriter::writeFaces(Monitor& monitor) {
 	inOrderFor(trianglesOf(content_).size(), kAppendGrain, monitor,
 	           [&](std::size_t begin, std::size_t end) {
 		           surface_.appendFaces(begin, end);
-		           for (const RangeWriter& write : writers_.faces)
+		           for (const RangeWriter& write : writers_.faces) {
 			           write(begin, end);
+		           }
 		           mesh.sfn += countSelected(mesh.face, begin, end);
 	           });
 }

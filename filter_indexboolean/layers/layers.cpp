@@ -21,10 +21,12 @@ public:
 	    : document_(document), current_(document.mm() != nullptr ? document.mm()->id() : -1) {}
 
 	~NewLayers() {
-		if (kept_ || layers_.empty())
+		if (kept_ || layers_.empty()) {
 			return;
-		for (const MeshModel* layer : layers_)
+		}
+		for (const MeshModel* layer : layers_) {
 			deleteLayer(document_, *layer);
+		}
 		document_.setCurrentMesh(current_);
 	}
 
@@ -68,8 +70,9 @@ Status fillLayers(const std::vector<LayerContent>& contents, Monitor& monitor,
 	for (std::size_t i = 0; i < contents.size(); ++i) {
 		LayerWriter& writer = writers.emplace_back(contents[i], *layers[i]);
 		const Status status = writer.begin(monitor);
-		if (!status.ok())
+		if (!status.ok()) {
 			return status;
+		}
 		tasks.push_back({&writer, &LayerWriter::writeVertices, writer.vertexBytes()});
 		tasks.push_back({&writer, &LayerWriter::writeFaces, writer.faceBytes()});
 		bytes += writer.vertexBytes() + writer.faceBytes();
@@ -79,8 +82,9 @@ Status fillLayers(const std::vector<LayerContent>& contents, Monitor& monitor,
 	constexpr std::size_t kWorthThreads = std::size_t{1} << 20;
 	const std::size_t grain = bytes > kWorthThreads ? 1 : tasks.size();
 	return parallelFor(tasks.size(), grain, 0, monitor, [&](std::size_t begin, std::size_t end) {
-		for (std::size_t i = begin; i < end; ++i)
+		for (std::size_t i = begin; i < end; ++i) {
 			(tasks[i].writer->*tasks[i].write)(monitor);
+		}
 	});
 }
 
@@ -112,8 +116,9 @@ void selectFaces(const std::vector<std::uint32_t>& faces, const LiveElements& li
                  MeshModel& layer) {
 	CMeshO& mesh = layer.cm;
 	vcg::tri::UpdateSelection<CMeshO>::Clear(mesh);
-	for (const std::uint32_t face : faces)
+	for (const std::uint32_t face : faces) {
 		mesh.face[live[face]].SetS();
+	}
 	mesh.svn = 0;
 	mesh.sfn = static_cast<int>(vcg::tri::UpdateSelection<CMeshO>::FaceCount(mesh));
 }
@@ -124,8 +129,9 @@ Status addLayers(const std::vector<LayerContent>& contents, Progress& progress,
 		Monitor monitor = progress.nextPhase(kWriteShare);
 		monitor.beginStage("writing layers", 0, 1);
 		NewLayers layers(document);
-		for (const LayerContent& content : contents)
+		for (const LayerContent& content : contents) {
 			layers.add(content.label);
+		}
 		const Status status = fillLayers(contents, monitor, layers.layers());
 		if (status.ok()) {
 			layers.keep();

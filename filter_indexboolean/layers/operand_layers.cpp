@@ -12,8 +12,9 @@ MeshModel* findOperand(FilterId filter, const char* name, const ParameterValues&
                        MeshDocument& document) {
 	const int id = values.getInt(name);
 	MeshModel* layer = findLayer(document, id);
-	if (layer == nullptr)
+	if (layer == nullptr) {
 		throw Refusal(unknownLayerMessage(parameterDefinition(filter, name), id));
+	}
 	return layer;
 }
 
@@ -30,16 +31,18 @@ OperandLayers findOperandLayers(FilterId filter, const ParameterValues& values,
 	operands.layers = {findOperand(filter, "first_mesh", values, document),
 	                   findOperand(filter, "second_mesh", values, document)};
 	operands.names = {nameOf(*operands.layers[0]), nameOf(*operands.layers[1])};
-	if (operands.layers[0] == operands.layers[1])
+	if (operands.layers[0] == operands.layers[1]) {
 		throw Refusal(sameLayerMessage(operands.names[0]));
+	}
 	return operands;
 }
 
 int numberInRange(FilterId filter, const char* name, const ParameterValues& values) {
 	const ParameterDefinition& definition = parameterDefinition(filter, name);
 	const int number = values.getInt(name);
-	if (number < definition.minimum || number > definition.maximum)
+	if (number < definition.minimum || number > definition.maximum) {
 		throw Refusal(outOfRangeMessage(definition, number));
+	}
 	return number;
 }
 
@@ -54,14 +57,16 @@ Options readCommonOptions(FilterId filter, const ParameterValues& values) {
 }
 
 void refuseUnlessOk(const Status& status, const LayerNames& names) {
-	if (!status.ok())
+	if (!status.ok()) {
 		throw Refusal(refusalMessage(status, names));
+	}
 }
 
 void refuseDefect(const Status& status, const OperandArrays& read, const OperandLayers& operands) {
 	const std::size_t operand = status.operand == 1 ? 1 : 0;
-	if (!status.faces.empty())
+	if (!status.faces.empty()) {
 		selectFaces(status.faces, read.elements[operand].faces, *operands.layers[operand]);
+	}
 	refuseUnlessOk(status, operands.names);
 }
 
@@ -76,12 +81,14 @@ std::vector<std::string> operandMessages(const std::array<bool, 2>& turned,
                                          const LayerNames& names) {
 	std::vector<std::string> messages;
 	for (std::size_t k = 0; k < names.size(); ++k) {
-		if (turned[k])
+		if (turned[k]) {
 			messages.push_back(turnedMessage(names[k]));
+		}
 		const std::size_t once = duplicates.takenOnce[k];
 		const std::size_t cancelled = duplicates.cancelledPairs[k];
-		if (once + cancelled > 0)
+		if (once + cancelled > 0) {
 			messages.push_back(duplicatesMessage(names[k], once, cancelled));
+		}
 	}
 	return messages;
 }

@@ -53,8 +53,9 @@ void appendMesh(const SplitMesh& mesh, std::int32_t block, const SplitResult& re
 		numbersOf(FaceNumber::SubSurface, layer).push_back(surface.number[operand]);
 		numbersOf(FaceNumber::BlockFront, layer).push_back(mesh.beside[i][0]);
 		numbersOf(FaceNumber::BlockBack, layer).push_back(mesh.beside[i][1]);
-		if (block != kNoNumber)
+		if (block != kNoNumber) {
 			numbersOf(FaceNumber::SubBlock, layer).push_back(block);
+		}
 	}
 }
 
@@ -66,8 +67,9 @@ FaceNumber idOf(PieceKind kind) {
 void colourFaces(SplitLayer& layer) {
 	// Sub-surfaces of the two operands with the same id are not to look alike.
 	const std::size_t shift = layer.kind == PieceKind::SubSurfacesOfSecond ? 4 : 0;
-	for (const std::int32_t id : numbersOf(idOf(layer.kind), layer))
+	for (const std::int32_t id : numbersOf(idOf(layer.kind), layer)) {
 		layer.colours.push_back(colourOf(static_cast<std::size_t>(id) + shift));
+	}
 }
 
 // Moves the faces of a layer to layers of their own, one for each id from 0 on.
@@ -83,20 +85,24 @@ public:
 		layer.label = whole_.label + " " + std::to_string(id);
 		for (const std::uint32_t face : faces) {
 			std::array<std::uint32_t, 3> triangle{};
-			for (std::size_t corner = 0; corner < 3; ++corner)
+			for (std::size_t corner = 0; corner < 3; ++corner) {
 				triangle[corner] = number(whole_.triangles[face][corner], layer);
+			}
 			layer.triangles.push_back(triangle);
 			layer.faceSource.push_back(whole_.faceSource[face]);
-			if (!whole_.faux.empty())
+			if (!whole_.faux.empty()) {
 				layer.faux.push_back(whole_.faux[face]);
+			}
 			layer.colours.push_back(whole_.colours[face]);
 			for (std::size_t k = 0; k < layer.numbers.size(); ++k) {
-				if (!whole_.numbers[k].empty())
+				if (!whole_.numbers[k].empty()) {
 					layer.numbers[k].push_back(whole_.numbers[k][face]);
+				}
 			}
 		}
-		for (const std::uint32_t vertex : used_)
+		for (const std::uint32_t vertex : used_) {
 			local_[vertex] = kUnused;
+		}
 		used_.clear();
 		return layer;
 	}
@@ -123,11 +129,13 @@ private:
 void appendParts(const SplitLayer& whole, std::size_t count, std::vector<SplitLayer>& layers) {
 	const auto& ids = whole.numbers[static_cast<std::size_t>(idOf(whole.kind))];
 	std::vector<std::vector<std::uint32_t>> faces(count);
-	for (std::uint32_t face = 0; face < ids.size(); ++face)
+	for (std::uint32_t face = 0; face < ids.size(); ++face) {
 		faces[static_cast<std::size_t>(ids[face])].push_back(face);
+	}
 	Parting parting(whole);
-	for (std::size_t id = 0; id < count; ++id)
+	for (std::size_t id = 0; id < count; ++id) {
 		layers.push_back(parting.part(id, faces[id]));
+	}
 }
 
 void appendSurfaceLayers(const SplitResult& result, std::size_t operand, bool separate,
@@ -136,17 +144,19 @@ void appendSurfaceLayers(const SplitResult& result, std::size_t operand, bool se
 	    operand == 0 ? PieceKind::SubSurfacesOfFirst : PieceKind::SubSurfacesOfSecond, names);
 	appendMesh(result.surfaceMeshes[operand], kNoNumber, result, whole);
 	colourFaces(whole);
-	if (separate)
+	if (separate) {
 		appendParts(whole, result.surfaceCount(operand), layers);
-	else
+	} else {
 		layers.push_back(std::move(whole));
+	}
 }
 
 void appendBlockLayers(const SplitResult& result, bool separate, const LayerNames& names,
                        std::vector<SplitLayer>& layers) {
 	const std::size_t first = layers.size();
-	if (!separate || result.blockMeshes.empty())
+	if (!separate || result.blockMeshes.empty()) {
 		layers.push_back(emptyLayer(PieceKind::SubBlocks, names));
+	}
 	for (std::size_t id = 0; id < result.blockMeshes.size(); ++id) {
 		if (separate) {
 			layers.push_back(emptyLayer(PieceKind::SubBlocks, names));
@@ -161,8 +171,9 @@ void appendBlockLayers(const SplitResult& result, bool separate, const LayerName
 
 std::size_t pieceCount(const SplitResult& result, const SplitRequest& request) {
 	std::size_t count = request.subBlocks ? result.split.blocks.all.size() : 0;
-	for (std::size_t operand = 0; operand < 2; ++operand)
+	for (std::size_t operand = 0; operand < 2; ++operand) {
 		count += request.subSurfaces[operand] ? result.surfaceCount(operand) : 0;
+	}
 	return count;
 }
 
@@ -175,11 +186,13 @@ std::vector<SplitLayer> splitLayers(const SplitResult& result, const SplitReques
 	const bool separate = hasLayerForEachPiece(result, request);
 	std::vector<SplitLayer> layers;
 	for (std::size_t operand = 0; operand < 2; ++operand) {
-		if (request.subSurfaces[operand])
+		if (request.subSurfaces[operand]) {
 			appendSurfaceLayers(result, operand, separate, names, layers);
+		}
 	}
-	if (request.subBlocks)
+	if (request.subBlocks) {
 		appendBlockLayers(result, separate, names, layers);
+	}
 	return layers;
 }
 

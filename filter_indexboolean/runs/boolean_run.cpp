@@ -18,8 +18,9 @@ Status extractBlocks(const Arrangement& arrangement, const std::vector<Operation
 	for (std::size_t i = 0; i < operations.size(); ++i) {
 		Monitor monitor = progress.nextPhase(kBlocksShare / static_cast<double>(operations.size()));
 		const Status status = extractBlock(arrangement, operations[i], monitor, blocks[i]);
-		if (!status.ok())
+		if (!status.ok()) {
 			return status;
+		}
 	}
 	return {};
 }
@@ -28,8 +29,9 @@ Status extractBlocks(const Arrangement& arrangement, const std::vector<Operation
 Status findSources(const Arrangement& arrangement, const BooleanRequest& request,
                    Progress& progress, BooleanResult& result) {
 	Monitor monitor = progress.nextPhase(kSourcesShare);
-	if (!request.given)
+	if (!request.given) {
 		return {};
+	}
 	Seams seams;
 	Status status = operandSeams(arrangement, request.given, request.same, monitor, seams);
 	result.sources.resize(result.blocks.size());
@@ -45,8 +47,9 @@ void addBlockTimes(const std::vector<Block>& blocks, std::vector<StageTime>& tim
 	const std::size_t first = times.size();
 	for (const Block& block : blocks) {
 		for (std::size_t i = 0; i < block.stageTimes.size(); ++i) {
-			if (first + i == times.size())
+			if (first + i == times.size()) {
 				times.push_back({block.stageTimes[i].stage, 0});
+			}
 			times[first + i].seconds += block.stageTimes[i].seconds;
 		}
 	}
@@ -60,30 +63,34 @@ Status runBoolean(MeshArrays input, const BooleanRequest& request, Progress& pro
 	Arrangement arrangement;
 	Monitor arranging = progress.nextPhase(kArrangeShare);
 	Status status = arrange(std::move(input), request.options, arranging, arrangement);
-	if (!status.ok())
+	if (!status.ok()) {
 		return status;
+	}
 	result.turned = arrangement.turned;
 	result.duplicates = arrangement.duplicates;
 	result.loopCounts = arrangement.loopCounts;
 	result.stageTimes = arrangement.stageTimes;
 
 	status = extractBlocks(arrangement, request.operations, progress, result.blocks);
-	if (!status.ok())
+	if (!status.ok()) {
 		return status;
+	}
 	addBlockTimes(result.blocks, result.stageTimes);
 
 	const Stopwatch auditTime;
 	Monitor auditing = progress.nextPhase(kAuditShare);
 	auditing.beginStage("audit", 0, 1);
 	status = audit(arrangement, result.blocks, auditing, result.audit);
-	if (!status.ok())
+	if (!status.ok()) {
 		return status;
+	}
 	result.stageTimes.push_back({"audit", auditTime.seconds()});
 
 	const Stopwatch sourcesTime;
 	status = findSources(arrangement, request, progress, result);
-	if (!status.ok())
+	if (!status.ok()) {
 		return status;
+	}
 	result.stageTimes.push_back({"attributes", sourcesTime.seconds()});
 
 	if (request.curves) {

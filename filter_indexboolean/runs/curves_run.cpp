@@ -22,8 +22,9 @@ Status runCurves(MeshArrays input, const Options& options, Progress& progress,
 	Arrangement arrangement;
 	Monitor arranging = progress.nextPhase(kArrangingShare);
 	Status status = arrangeSurfaces(std::move(input), options, arranging, arrangement);
-	if (!status.ok())
+	if (!status.ok()) {
 		return status;
+	}
 	result.turned = arrangement.turned;
 	result.duplicates = arrangement.duplicates;
 	result.loopCounts = arrangement.loopCounts;
@@ -32,8 +33,9 @@ Status runCurves(MeshArrays input, const Options& options, Progress& progress,
 	Monitor finding = progress.nextPhase(kFindingShare);
 	Split split;
 	status = splitSurfaces(arrangement, finding, split);
-	if (!status.ok())
+	if (!status.ok()) {
 		return status;
+	}
 	result.surfaces = std::move(split.surfaces);
 	result.stageTimes.push_back(split.stageTimes.front());
 

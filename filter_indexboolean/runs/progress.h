@@ -26,8 +26,9 @@ public:
 	Monitor nextPhase(double share) {
 		const double from = done_;
 		done_ = std::min(done_ + share, 1.0);
-		if (!callback_)
+		if (!callback_) {
 			return Monitor();
+		}
 		return Monitor(
 		    [callback = callback_, from, to = done_](double fraction, const char* stage) {
 			    return callback(from + (to - from) * fraction, stage);
@@ -41,8 +42,9 @@ private:
 
 // \param callback may be null
 inline Monitor::Callback progressCallback(HostCallback* callback) {
-	if (callback == nullptr)
+	if (callback == nullptr) {
 		return {};
+	}
 	return [callback](double fraction, const char* stage) {
 		std::string text(stage);
 		std::replace(text.begin(), text.end(), '_', ' ');

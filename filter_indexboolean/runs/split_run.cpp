@@ -19,8 +19,9 @@ Status collectSurfaceMeshes(const SplitRequest& request, Progress& progress, Spl
 	for (std::size_t operand = 0; operand < 2 && status.ok(); ++operand) {
 		SplitMesh& mesh = result.surfaceMeshes[operand];
 		Monitor monitor = progress.nextPhase(kMeshesShare / 2);
-		if (request.subSurfaces[operand])
+		if (request.subSurfaces[operand]) {
 			status = extractSubSurfaces(result.arrangement, result.split, operand, monitor, mesh);
+		}
 	}
 	return status;
 }

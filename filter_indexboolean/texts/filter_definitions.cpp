@@ -237,8 +237,9 @@ const ParameterDefinition& parameterDefinition(FilterId id, const std::string& n
 
 std::string nameInLabel(std::string label) {
 	const std::size_t dot = label.rfind('.');
-	if (dot != std::string::npos && isFileSuffix(label.substr(dot + 1)))
+	if (dot != std::string::npos && isFileSuffix(label.substr(dot + 1))) {
 		label.erase(dot);
+	}
 	std::replace(label.begin(), label.end(), '.', '_');
 	return label;
 }

@@ -71,8 +71,9 @@ constexpr std::array<Remedy, kStatusCodeCount> kRemedies{{
 
 constexpr bool rowsAreInOrder() {
 	for (std::size_t i = 0; i < kRemedies.size(); ++i) {
-		if (static_cast<std::size_t>(kRemedies[i].code) != i)
+		if (static_cast<std::size_t>(kRemedies[i].code) != i) {
 			return false;
+		}
 	}
 	return true;
 }
@@ -133,8 +134,9 @@ std::string outOfRangeMessage(const ParameterDefinition& parameter, int value) {
 
 std::string nothingRequestedMessage() {
 	std::string names;
-	for (const BlockDefinition& block : kBlockDefinitions)
+	for (const BlockDefinition& block : kBlockDefinitions) {
 		names += std::string(names.empty() ? "" : ", ") + operationName(block.operation);
+	}
 	return "No block is asked for. Set at least one of these to true: " + names + ".";
 }
 
@@ -151,20 +153,23 @@ std::string turnedMessage(const LayerName& layer) {
 std::string duplicatesMessage(const LayerName& layer, std::size_t takenOnce,
                               std::size_t cancelledPairs) {
 	std::string text = "Layer " + quoted(layer) + " has faces on the same three vertices: ";
-	if (takenOnce > 0)
+	if (takenOnce > 0) {
 		text += counted(takenOnce, "duplicate face") + (takenOnce == 1 ? " was" : " were") +
 		        " taken once";
-	if (cancelledPairs > 0)
+	}
+	if (cancelledPairs > 0) {
 		text +=
 		    (takenOnce > 0 ? ", " : "") + counted(cancelledPairs, "opposite pair") + " cancelled";
+	}
 	return text + ".";
 }
 
 std::string lackingAttributesMessage(const LayerName& layer,
                                      const std::vector<std::string>& attributes) {
 	std::string list = attributes.front();
-	for (std::size_t i = 1; i < attributes.size(); ++i)
+	for (std::size_t i = 1; i < attributes.size(); ++i) {
 		list += (i + 1 == attributes.size() ? " and " : ", ") + attributes[i];
+	}
 	return "Layer " + quoted(layer) + " has no " + list +
 	       ": what comes of it has MeshLab's default there.";
 }
@@ -180,11 +185,13 @@ std::string blockMessage(const Block& block, const BlockMeasure& measure,
 std::string curvesMessage(const CurveLines& curves, const LoopCounts& counts,
                           const LayerNames& layers) {
 	const std::string label = "\"" + curvesLabel(layers[0].label, layers[1].label) + "\"";
-	if (curves.lines.empty())
+	if (curves.lines.empty()) {
 		return label + " is empty: the layers do not meet in a line.";
+	}
 	double length = 0;
-	for (const CurveLine& line : curves.lines)
+	for (const CurveLine& line : curves.lines) {
 		length += line.length;
+	}
 	return label + ": " + counted(curves.lines.size(), "loop") + " (" +
 	       std::to_string(counts.open) + " open, " + std::to_string(counts.hardClosed) +
 	       " hard-closed, " + std::to_string(counts.softClosed) + " soft-closed), length " +
@@ -193,8 +200,9 @@ std::string curvesMessage(const CurveLines& curves, const LoopCounts& counts,
 
 std::string noPiecesRequestedMessage() {
 	std::string names;
-	for (const char* name : kPieceNames)
+	for (const char* name : kPieceNames) {
 		names += std::string(names.empty() ? "" : ", ") + name;
+	}
 	return "No piece is asked for. Set at least one of these to true: " + names + ".";
 }
 
@@ -223,11 +231,13 @@ std::string subSurfacesMessage(const SplitResult& result, std::size_t operand,
 std::string subBlocksMessage(const SplitResult& result, const LayerNames& layers) {
 	const std::string label =
 	    "\"" + splitLabel(PieceKind::SubBlocks, layers[0].label, layers[1].label) + "\"";
-	if (result.split.blocks.all.empty())
+	if (result.split.blocks.all.empty()) {
 		return label + " is empty: the layers bound no part of space.";
+	}
 	double volume = 0;
-	for (const SubBlock& block : result.split.blocks.all)
+	for (const SubBlock& block : result.split.blocks.all) {
 		volume += block.volume;
+	}
 	return label + ": " + counted(result.split.blocks.all.size(), "sub-block") + ", volume " +
 	       decimal(volume) + ".";
 }

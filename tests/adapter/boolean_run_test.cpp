@@ -15,8 +15,9 @@ using namespace watched_host;
 
 BooleanRequest everything() {
 	BooleanRequest request;
-	for (int operation = 0; operation < kOperationCount; ++operation)
+	for (int operation = 0; operation < kOperationCount; ++operation) {
 		request.operations.push_back(static_cast<Operation>(operation));
+	}
 	return request;
 }
 
@@ -60,8 +61,9 @@ TEST(BooleanRun, stagesAndTheWholeAreTimed) {
 	BooleanResult result;
 	ASSERT_TRUE(runWith(0, result).ok());
 	double sum = 0;
-	for (const StageTime& time : result.stageTimes)
+	for (const StageTime& time : result.stageTimes) {
 		sum += time.seconds;
+	}
 	EXPECT_GT(result.stageTimes.size(), 4u);
 	EXPECT_GT(result.seconds, 0);
 	EXPECT_LE(sum, result.seconds);

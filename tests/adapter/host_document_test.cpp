@@ -49,8 +49,9 @@ std::vector<int> stateOf(const MeshDocument& document) {
 		state.push_back(layer.id());
 		state.push_back(layer.cm.vn);
 		state.push_back(layer.cm.fn);
-		for (const CFaceO& face : layer.cm.face)
+		for (const CFaceO& face : layer.cm.face) {
 			state.push_back(face.IsS() ? 1 : 0);
+		}
 	}
 	return state;
 }
@@ -132,8 +133,9 @@ TEST_F(HostDocument, selectionFindsFacesBehindDeletedOnes) {
 	// Face 2 = (0, 2, 5) has an edge in common with each of these.
 	const std::set<std::size_t> neighbours{1, 3, 6};
 	for (std::size_t i = 0; i < mesh.face.size(); ++i) {
-		if (!mesh.face[i].IsD())
+		if (!mesh.face[i].IsD()) {
 			EXPECT_EQ(mesh.face[i].IsS(), neighbours.count(i) == 1) << "face " << i;
+		}
 	}
 	EXPECT_TRUE(document.getMesh(0)->cm.face[2].IsS()) << "the other layer's selection is lost";
 }

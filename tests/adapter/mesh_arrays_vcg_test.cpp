@@ -68,10 +68,12 @@ void write(const Surface& surface, Mesh& mesh, const std::vector<std::uint8_t>& 
 	SurfaceWriter<Mesh> writer(surface.points, surface.triangles, faux, mesh);
 	ASSERT_TRUE(writer.begin(monitor).ok());
 	ASSERT_TRUE(writer.findVertexNormals(monitor).ok());
-	for (std::size_t f = 0; f < surface.triangles.size(); f += kRange)
+	for (std::size_t f = 0; f < surface.triangles.size(); f += kRange) {
 		writer.appendFaces(f, std::min(f + kRange, surface.triangles.size()));
-	for (std::size_t v = 0; v < surface.points.size(); v += kRange)
+	}
+	for (std::size_t v = 0; v < surface.points.size(); v += kRange) {
 		writer.appendVertices(v, std::min(v + kRange, surface.points.size()));
+	}
 }
 
 template <class Mesh>
@@ -101,8 +103,9 @@ TYPED_TEST(MeshArraysVcg, whatIsWrittenReadsBackUnchanged) {
 	ASSERT_EQ(arrays.triangles.size(), surface.triangles.size());
 	for (std::size_t i = 0; i < surface.triangles.size(); ++i) {
 		EXPECT_EQ(faces[i], i);
-		for (std::size_t corner = 0; corner < 3; ++corner)
+		for (std::size_t corner = 0; corner < 3; ++corner) {
 			EXPECT_EQ(arrays.triangles[i][corner].value, surface.triangles[i][corner]);
+		}
 	}
 	EXPECT_EQ(mesh.bbox.min, (typename TypeParam::CoordType(0, 0, 0)));
 	EXPECT_EQ(mesh.bbox.max, (typename TypeParam::CoordType(0.75, 0.75, 0.75)));
@@ -238,8 +241,9 @@ TYPED_TEST(MeshArraysVcg, fauxEdgesAreReadAndWritten) {
 	write(tetrahedron(1), plain);
 	const Surface many = torus(200);
 	std::vector<std::uint8_t> faux;
-	for (std::size_t i = 0; i < many.triangles.size(); ++i)
+	for (std::size_t i = 0; i < many.triangles.size(); ++i) {
 		faux.push_back(static_cast<std::uint8_t>(i % 8));
+	}
 	write(many, quads, faux);
 	EXPECT_TRUE(quads.face[5].IsF(0) && !quads.face[5].IsF(1) && quads.face[5].IsF(2));
 	vcg::tri::Allocator<TypeParam>::DeleteFace(quads, quads.face[1]);

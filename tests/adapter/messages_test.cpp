@@ -145,8 +145,9 @@ TEST(Messages, aSplitTellsPiecesAndWhatTheyPart) {
 }
 
 TEST(FilterDefinitions, piecesAreParametersOfTheSplit) {
-	for (const char* name : kPieceNames)
+	for (const char* name : kPieceNames) {
 		EXPECT_STREQ(parameterDefinition(FilterId::GenerateIndexBooleanSplit, name).name, name);
+	}
 	EXPECT_EQ(splitLabel(PieceKind::SubSurfacesOfFirst, "A.ply", "B"), "A cut by B");
 	EXPECT_EQ(splitLabel(PieceKind::SubSurfacesOfSecond, "A", "B"), "B cut by A");
 	EXPECT_EQ(splitLabel(PieceKind::SubBlocks, "A", "B"), "A blocks B");
@@ -157,8 +158,9 @@ TEST(SplitLayers, neighbouringIdsHaveColoursThatDiffer) {
 	for (std::size_t id = 0; id < 100; ++id) {
 		const Colour a = colourOf(id), b = colourOf(id + 1);
 		int difference = 0;
-		for (std::size_t channel = 0; channel < 3; ++channel)
+		for (std::size_t channel = 0; channel < 3; ++channel) {
 			difference += std::abs(static_cast<int>(a[channel]) - static_cast<int>(b[channel]));
+		}
 		EXPECT_GT(difference, 100) << "id " << id;
 	}
 }

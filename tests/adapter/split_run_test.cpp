@@ -29,8 +29,9 @@ TEST(SplitRun, theHostSeesPercentsThatNeverFallOnItsOwnThread) {
 	SplitResult result;
 	ASSERT_TRUE(splitWith(0, result).ok());
 	expectGoodManners();
-	for (const char* stage : {"loops", "sub surfaces", "sub blocks", "split meshes", "audit"})
+	for (const char* stage : {"loops", "sub surfaces", "sub blocks", "split meshes", "audit"}) {
 		EXPECT_EQ(seen.stages.count(stage), 1u) << stage;
+	}
 }
 
 TEST(SplitRun, aHostThatAnswersFalseCancelsAtEveryCall) {
@@ -48,8 +49,9 @@ TEST(SplitRun, blocksAreAuditedAndTimed) {
 	EXPECT_LT(result.audit.volumeLawResidual, 1e-15);
 	EXPECT_STREQ(result.stageTimes.back().stage, "audit");
 	double sum = 0;
-	for (const StageTime& time : result.stageTimes)
+	for (const StageTime& time : result.stageTimes) {
 		sum += time.seconds;
+	}
 	EXPECT_LE(sum, result.seconds);
 }
 
@@ -68,8 +70,9 @@ TEST(CurvesRun, theHostSeesPercentsThatNeverFallOnItsOwnThread) {
 	CurvesResult result;
 	ASSERT_TRUE(curvesWith(0, result).ok());
 	expectGoodManners();
-	for (const char* stage : {"loops", "sub surfaces", "curve lines"})
+	for (const char* stage : {"loops", "sub surfaces", "curve lines"}) {
 		EXPECT_EQ(seen.stages.count(stage), 1u) << stage;
+	}
 }
 
 TEST(CurvesRun, aHostThatAnswersFalseCancelsAtEveryCall) {

@@ -96,8 +96,9 @@ void expectCancelledAtEveryCall(Run&& run) {
 	for (int call = 1; call <= calls; ++call) {
 		const Status status = run(call);
 		// Progress within a stage is reported by the clock, so the last calls may not come.
-		if (seen.calls < call)
+		if (seen.calls < call) {
 			break;
+		}
 		EXPECT_EQ(status.code, StatusCode::Cancelled) << "call " << call << " of " << calls;
 		EXPECT_EQ(seen.calls, call) << "called again after it had answered false";
 	}

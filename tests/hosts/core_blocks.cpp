@@ -53,8 +53,9 @@ Status run(OutputScalar scalar, const std::filesystem::path& folder) {
 	Arrangement arrangement;
 	MeshArrays operands;
 	Status status = loadOperands(folder, monitor, operands);
-	if (status.ok())
+	if (status.ok()) {
 		status = arrange(std::move(operands), options, monitor, arrangement);
+	}
 	for (int i = 0; i < kOperationCount && status.ok(); ++i) {
 		Block block;
 		status = extractBlock(arrangement, static_cast<Operation>(i), monitor, block);

@@ -44,8 +44,9 @@ public:
 	// A word for each two faces: a closed surface has half as many vertices as faces.
 	explicit FaceFilter(std::size_t faceCount) {
 		std::size_t size = 16;
-		while (size < faceCount / 2)
+		while (size < faceCount / 2) {
 			size *= 2;
+		}
 		words_.assign(size, 0);
 	}
 
@@ -96,18 +97,22 @@ std::vector<SortedFace> suspects(const MeshArrays& mesh, std::size_t operand, Mo
 	FaceFilter filter(end - begin);
 	std::vector<std::uint32_t> repeated;
 	for (std::uint32_t face = begin; face < end; ++face) {
-		if (filter.add(mesh.triangles[face]))
+		if (filter.add(mesh.triangles[face])) {
 			repeated.push_back(face);
+		}
 	}
 	std::vector<SortedFace> result;
-	if (repeated.empty() || pollCancelled(monitor))
+	if (repeated.empty() || pollCancelled(monitor)) {
 		return result;
+	}
 	filter.clear();
-	for (const std::uint32_t face : repeated)
+	for (const std::uint32_t face : repeated) {
 		filter.add(mesh.triangles[face]);
+	}
 	for (std::uint32_t face = begin; face < end; ++face) {
-		if (filter.has(mesh.triangles[face]))
+		if (filter.has(mesh.triangles[face])) {
 			result.push_back(sorted(mesh.triangles[face], face));
+		}
 	}
 	std::sort(result.begin(), result.end(), [](const SortedFace& p, const SortedFace& q) {
 		return p.corners != q.corners ? p.corners < q.corners : p.face < q.face;
@@ -128,8 +133,9 @@ void judge(const SortedFace* begin, const SortedFace* end, Duplicates& out) {
 			out.cancelling.push_back(begin->face);
 			continue;
 		}
-		if (left > 1)
+		if (left > 1) {
 			(keep == left ? out.firsts : out.repeated).push_back(begin->face);
+		}
 		--keep;
 	}
 }
@@ -157,10 +163,12 @@ void findDuplicates(const MeshArrays& mesh, std::size_t operand, Monitor& monito
                     JudgeFaces&& judgeFaces, Duplicates& out) {
 	const std::vector<SortedFace> faces = suspects(mesh, operand, monitor);
 	for (std::size_t first = 0, next = 0; first < faces.size(); first = next) {
-		while (next < faces.size() && faces[next].hasCornersOf(faces[first]))
+		while (next < faces.size() && faces[next].hasCornersOf(faces[first])) {
 			++next;
-		if (next - first > 1)
+		}
+		if (next - first > 1) {
 			judgeFaces(&faces[first], &faces[first] + (next - first), out);
+		}
 	}
 }
 
@@ -171,8 +179,9 @@ Status findAllDuplicates(const Arrangement& arrangement, Monitor& monitor, Judge
 	const MeshArrays& mesh = arrangement.mesh;
 	const int threads = threadsForHalves(mesh.triangles.size(), arrangement.options.threads);
 	return parallelFor(2, 1, threads, monitor, [&](std::size_t begin, std::size_t end) {
-		for (std::size_t operand = begin; operand < end; ++operand)
+		for (std::size_t operand = begin; operand < end; ++operand) {
 			findDuplicates(mesh, operand, monitor, judgeFaces, out[operand]);
+		}
 	});
 }
 
@@ -183,8 +192,9 @@ Status refuse(const Arrangement& arrangement, std::size_t operand, const Duplica
 	const std::uint32_t first = duplicates.firsts.front();
 	std::vector<FaceId> faces;
 	for (const auto* list : {&duplicates.firsts, &duplicates.repeated}) {
-		for (const std::uint32_t face : *list)
+		for (const std::uint32_t face : *list) {
 			faces.push_back({face});
+		}
 	}
 	return selfIntersecting(arrangement, static_cast<int>(operand), faces,
 	                        at(mesh.points, mesh.triangles[first][0]));
@@ -194,25 +204,30 @@ Status refuse(const Arrangement& arrangement, std::size_t operand, const Duplica
 // mean that it overlaps itself. Cancelling faces make no difference to closedness.
 Status judgeRepeated(const Arrangement& arrangement, std::size_t operand, Monitor& monitor,
                      Duplicates& duplicates) {
-	if (duplicates.repeated.empty())
+	if (duplicates.repeated.empty()) {
 		return {};
+	}
 	const MeshArrays& mesh = arrangement.mesh;
 	const Triangle* triangles = mesh.triangles.data();
 	Triangles repeated;
-	for (const std::uint32_t face : duplicates.repeated)
+	for (const std::uint32_t face : duplicates.repeated) {
 		repeated.push_back(triangles[face]);
+	}
 	std::uint64_t all = 0, ofRepeated = 0;
 	const int threads = arrangement.options.threads;
 	Status status =
 	    boundaryChecksum(triangles + mesh.faceBegin[operand],
 	                     triangles + mesh.faceBegin[operand + 1], threads, monitor, all);
-	if (status.ok())
+	if (status.ok()) {
 		status = boundaryChecksum(repeated.data(), repeated.data() + repeated.size(), threads,
 		                          monitor, ofRepeated);
-	if (!status.ok() || all == ofRepeated)
+	}
+	if (!status.ok() || all == ofRepeated) {
 		return status;
-	if (all == 0)
+	}
+	if (all == 0) {
 		return refuse(arrangement, operand, duplicates);
+	}
 	duplicates.repeated.clear();
 	return status;
 }
@@ -230,8 +245,9 @@ void drop(const std::vector<std::uint32_t>& faces, Arrangement& arrangement) {
 			continue;
 		}
 		mesh.triangles[given.size()] = mesh.triangles[face];
-		if (!mesh.faux.empty())
+		if (!mesh.faux.empty()) {
 			mesh.faux[given.size()] = mesh.faux[face];
+		}
 		given.push_back(arrangement.givenFace({face}));
 		faceBegin[2] = static_cast<std::uint32_t>(given.size());
 		faceBegin[1] = mesh.operandOf({face}) == 0 ? faceBegin[2] : faceBegin[1];
@@ -254,8 +270,9 @@ Status removeDuplicateFaces(Arrangement& arrangement, Monitor& monitor) {
 		std::vector<std::uint32_t>& cancelling = found[operand].cancelling;
 		const std::vector<std::uint32_t>& repeated = found[operand].repeated;
 		const std::size_t count = mesh.faceBegin[operand + 1] - mesh.faceBegin[operand];
-		if (cancelling.size() == count)
+		if (cancelling.size() == count) {
 			cancelling.clear();
+		}
 		arrangement.duplicates.cancelledPairs[operand] = cancelling.size() / 2;
 		arrangement.duplicates.takenOnce[operand] = repeated.size();
 		faces.insert(faces.end(), cancelling.begin(), cancelling.end());

@@ -67,14 +67,16 @@ class CellGrid {
 public:
 	explicit CellGrid(float halfSize) : rows_(kSide * kSide), middle_((kSide - 1) / 2.0F) {
 		cellsPerUnit_ = middle_ / halfSize;
-		for (auto& row : rows_)
+		for (auto& row : rows_) {
 			row.store(0, std::memory_order_relaxed);
+		}
 	}
 
 	void mark(const FaceBox& box) {
 		anyRow(box, [](std::atomic<std::uint64_t>& row, std::uint64_t cells) {
-			if ((row.load(std::memory_order_relaxed) & cells) != cells)
+			if ((row.load(std::memory_order_relaxed) & cells) != cells) {
 				row.fetch_or(cells, std::memory_order_relaxed);
+			}
 			return false;
 		});
 	}
@@ -111,11 +113,13 @@ private:
 		any |= visit(rowAt(lastY, firstZ), cells);
 		any |= visit(rowAt(firstY, lastZ), cells);
 		any |= visit(rowAt(lastY, lastZ), cells);
-		if (lastY - firstY <= 1 && lastZ - firstZ <= 1)
+		if (lastY - firstY <= 1 && lastZ - firstZ <= 1) {
 			return any;
+		}
 		for (int z = firstZ; z <= lastZ; ++z) {
-			for (int y = firstY; y <= lastY && !any; ++y)
+			for (int y = firstY; y <= lastY && !any; ++y) {
 				any = visit(rowAt(y, z), cells);
+			}
 		}
 		return any;
 	}
@@ -135,8 +139,9 @@ public:
 		points_.resize(mesh_.points.size());
 		return parallelFor(mesh_.points.size(), kGrain, threads_, monitor_,
 		                   [&](std::size_t begin, std::size_t end) {
-			                   for (std::size_t i = begin; i < end; ++i)
+			                   for (std::size_t i = begin; i < end; ++i) {
 				                   points_[i] = frame_.map(mesh_.points[i]);
+			                   }
 		                   });
 	}
 
@@ -146,9 +151,10 @@ public:
 		const std::size_t first = mesh_.faceBegin[operand];
 		return parallelForChunks(faceCount(operand), kGrain, threads_, monitor_,
 		                         [&](std::size_t chunk, std::size_t begin, std::size_t end) {
-			                         for (std::size_t f = first + begin; f < first + end; ++f)
+			                         for (std::size_t f = first + begin; f < first + end; ++f) {
 				                         visitBox(f,
 				                                  [&](const FaceBox& box) { visit(chunk, box); });
+			                         }
 		                         });
 	}
 
@@ -157,15 +163,18 @@ public:
 	Status collectBoxes(std::size_t operand, Keep keep, HugeVector<FaceBox>& out) const {
 		std::vector<HugeVector<FaceBox>> parts(chunkCount(faceCount(operand), kGrain));
 		const Status status = forEachBox(operand, [&](std::size_t chunk, const FaceBox& box) {
-			if (keep(box))
+			if (keep(box)) {
 				parts[chunk].push_back(box);
+			}
 		});
 		std::size_t count = 0;
-		for (const HugeVector<FaceBox>& part : parts)
+		for (const HugeVector<FaceBox>& part : parts) {
 			count += part.size();
+		}
 		out.reserve(count);
-		for (const HugeVector<FaceBox>& part : parts)
+		for (const HugeVector<FaceBox>& part : parts) {
 			out.insert(out.end(), part.begin(), part.end());
+		}
 		return status;
 	}
 
@@ -176,13 +185,15 @@ public:
 private:
 	template <class Visit>
 	void visitBox(std::size_t face, Visit visit) const {
-		if (mesh_.quietTwin(makeId<FaceTag>(face)) != Twin::None)
+		if (mesh_.quietTwin(makeId<FaceTag>(face)) != Twin::None) {
 			return;
+		}
 		const FramePoint& p = points_[mesh_.triangles[face][0].value];
 		const FramePoint& q = points_[mesh_.triangles[face][1].value];
 		const FramePoint& r = points_[mesh_.triangles[face][2].value];
-		if ((p.beyond & q.beyond & r.beyond) != 0)
+		if ((p.beyond & q.beyond & r.beyond) != 0) {
 			return;
+		}
 		FaceBox box{};
 		for (std::size_t axis = 0; axis < 3; ++axis) {
 			box.lo[axis] = std::min(std::min(p.x[axis], q.x[axis]), r.x[axis]);
@@ -214,17 +225,20 @@ Status collectNearBoxes(const FrameMesh& faces, FaceBoxes& out) {
 	CellGrid ofLarge(out.halfSize);
 	Status status =
 	    faces.forEachBox(small, [&](std::size_t, const FaceBox& box) { ofSmall.mark(box); });
-	if (!status.ok())
+	if (!status.ok()) {
 		return status;
+	}
 	const auto markIfNear = [&](const FaceBox& box) {
 		const bool near = ofSmall.meets(box);
-		if (near)
+		if (near) {
 			ofLarge.mark(box);
+		}
 		return near;
 	};
 	status = faces.collectBoxes(large, markIfNear, out.operand[large]);
-	if (!status.ok())
+	if (!status.ok()) {
 		return status;
+	}
 	const auto isNear = [&](const FaceBox& box) { return ofLarge.meets(box); };
 	return faces.collectBoxes(small, isNear, out.operand[small]);
 }
@@ -241,8 +255,9 @@ Status collectFaceBoxes(const MeshArrays& mesh, int threads, Monitor& monitor, F
 		                         boxes[k]);
 	}
 	const BoundingBox common = commonBox(boxes[0], boxes[1]);
-	if (!status.ok() || common.empty())
+	if (!status.ok() || common.empty()) {
 		return status;
+	}
 	const Frame frame = makeFrame(common);
 	FrameMesh faces(mesh, frame, threads, monitor);
 	out.halfSize = frame.halfSize;

@@ -89,8 +89,9 @@ ChildSet childrenOf(const FaceBox& box, const std::array<float, 3>& mid) {
 constexpr std::array<std::uint8_t, 256> makeLowestChild() {
 	std::array<std::uint8_t, 256> lowest{};
 	for (unsigned set = 1; set < 256; ++set) {
-		while ((set >> lowest[set] & 1U) == 0)
+		while ((set >> lowest[set] & 1U) == 0) {
 			++lowest[set];
+		}
 	}
 	return lowest;
 }
@@ -98,8 +99,9 @@ constexpr std::array<std::uint8_t, 256> kLowestChild = makeLowestChild();
 
 template <class Visit>
 void forEachChild(ChildSet set, Visit visit) {
-	for (unsigned rest = set; rest != 0; rest &= rest - 1)
+	for (unsigned rest = set; rest != 0; rest &= rest - 1) {
 		visit(static_cast<std::size_t>(kLowestChild[rest]));
+	}
 }
 
 using ChildCounts = std::array<std::size_t, 8>;
@@ -146,10 +148,11 @@ private:
 	// Calls body(chunk, begin, end) for all chunks of n boxes.
 	template <class Body>
 	void forEachChunk(std::size_t n, Body&& body) const {
-		if (workers_ == nullptr)
+		if (workers_ == nullptr) {
 			body(std::size_t{0}, std::size_t{0}, n);
-		else
+		} else {
 			parallelForChunks(n, grain_, workers_->threads, workers_->monitor, body);
+		}
 	}
 
 	const Workers* workers_ = nullptr;
@@ -173,14 +176,16 @@ bool Split::countIn(const Node& node, std::size_t grain, const Workers* workers)
 			    countChildren({faces.first + begin, end - begin}, node.mid, &sets_[k][begin]);
 		});
 		for (const ChildCounts& part : parts_[k]) {
-			for (std::size_t child = 0; child < 8; ++child)
+			for (std::size_t child = 0; child < 8; ++child) {
 				counts_[k][child] += part[child];
+			}
 		}
 	}
 	living_ = 0;
 	for (unsigned child = 0; child < 8; ++child) {
-		if (counts_[0][child] != 0 && counts_[1][child] != 0)
+		if (counts_[0][child] != 0 && counts_[1][child] != 0) {
 			living_ = static_cast<ChildSet>(living_ | 1U << child);
+		}
 	}
 	return helps(node);
 }
@@ -204,8 +209,9 @@ Node childNode(const Node& node, std::size_t child) {
 	++result.depth;
 	for (std::size_t axis = 0; axis < 3; ++axis) {
 		const bool upper = (child >> axis & 1U) != 0;
-		if (upper)
+		if (upper) {
 			result.low[axis] = node.mid[axis];
+		}
 		result.mid[axis] = node.mid[axis] + (upper ? result.half : -result.half);
 	}
 	return result;
@@ -271,10 +277,12 @@ private:
 bool isLeaf(const Node& node, const Options& options) {
 	const std::uint64_t a = node.faces[0].size;
 	const std::uint64_t b = node.faces[1].size;
-	if (node.depth >= std::min(options.octreeMaxDepth, 20))
+	if (node.depth >= std::min(options.octreeMaxDepth, 20)) {
 		return true;
-	if (options.octreeLeafSize == 0)
+	}
+	if (options.octreeLeafSize == 0) {
 		return a * b <= kCost * (a + b);
+	}
 	const auto leafSize = static_cast<std::uint64_t>(options.octreeLeafSize);
 	return a * b <= leafSize * leafSize;
 }
@@ -290,16 +298,18 @@ void Descent<Visit>::visit(const Node& node) {
 	children.clear();
 	split_.distribute(node, buffers_[depth], children);
 	for (const Node& child : children) {
-		if (stopped())
+		if (stopped()) {
 			return;
+		}
 		visit(child);
 	}
 }
 
 template <class Visit>
 bool Descent<Visit>::stopped() {
-	if (tested_ < kPollPairs)
+	if (tested_ < kPollPairs) {
 		return monitor_.cancelled();
+	}
 	tested_ = 0;
 	return pollCancelled(monitor_);
 }
@@ -309,17 +319,19 @@ void Descent<Visit>::scan(const Node& node) {
 	const std::uint64_t a = node.faces[0].size;
 	const std::uint64_t b = node.faces[1].size;
 	tested_ += static_cast<std::size_t>(a + b);
-	if (a * b <= kCost * (a + b))
+	if (a * b <= kCost * (a + b)) {
 		scanAll(node);
-	else
+	} else {
 		sweep(node);
+	}
 }
 
 template <class Visit>
 void Descent<Visit>::scanAll(const Node& node) {
 	for (const FaceBox& a : node.faces[0]) {
-		for (const FaceBox& b : node.faces[1])
+		for (const FaceBox& b : node.faces[1]) {
 			test(node, a, b);
+		}
 	}
 }
 
@@ -334,8 +346,9 @@ void Descent<Visit>::test(const Node& node, const FaceBox& a, const FaceBox& b) 
 		meet &= corner <= b.hi[axis];
 		meet &= corner >= node.low[axis];
 	}
-	if (meet)
+	if (meet) {
 		visitPair_(FacePair{{a.face}, {b.face}});
+	}
 }
 
 // The axis along which the boxes are the shortest, compared with the room that they take.
@@ -355,8 +368,9 @@ std::size_t sweepAxis(const Node& node) {
 	std::size_t best = 0;
 	for (std::size_t axis = 1; axis < 3; ++axis) {
 		const double room = highest[axis] - lowest[axis];
-		if (room * length[best] > (highest[best] - lowest[best]) * length[axis])
+		if (room * length[best] > (highest[best] - lowest[best]) * length[axis]) {
 			best = axis;
+		}
 	}
 	return best;
 }
@@ -376,14 +390,16 @@ void Descent<Visit>::sweep(const Node& node) {
 	while (a != sorted_[0].cend() && b != sorted_[1].cend() && !stopped()) {
 		if (a->lo[axis] <= b->lo[axis]) {
 			auto other = b;
-			for (; other != sorted_[1].cend() && other->lo[axis] <= a->hi[axis]; ++other)
+			for (; other != sorted_[1].cend() && other->lo[axis] <= a->hi[axis]; ++other) {
 				test(node, *a, *other);
+			}
 			tested_ += static_cast<std::size_t>(other - b);
 			++a;
 		} else {
 			auto other = a;
-			for (; other != sorted_[0].cend() && other->lo[axis] <= b->hi[axis]; ++other)
+			for (; other != sorted_[0].cend() && other->lo[axis] <= b->hi[axis]; ++other) {
 				test(node, *other, *b);
+			}
 			tested_ += static_cast<std::size_t>(other - a);
 			++b;
 		}
@@ -425,20 +441,23 @@ Status expand(const Options& options, Monitor& monitor, Frontier& frontier) {
 		const Node& node = frontier.nodes[i];
 		Split split;
 		if (node.size() >= kLargeNode && !isLeaf(node, options) &&
-		    split.countTogether(node, workers) && !monitor.cancelled())
+		    split.countTogether(node, workers) && !monitor.cancelled()) {
 			expansions[i].split(node, split);
+		}
 	}
 	const Status status = parallelForChunks(
 	    count, 1, options.threads, monitor, [&](std::size_t i, std::size_t, std::size_t) {
 		    const Node& node = frontier.nodes[i];
 		    Split split;
-		    if (!expansions[i].nodes.empty())
+		    if (!expansions[i].nodes.empty()) {
 			    return;
+		    }
 		    if (node.size() < kSmallNode || node.size() >= kLargeNode || isLeaf(node, options) ||
-		        !split.count(node))
+		        !split.count(node)) {
 			    expansions[i].nodes.push_back(node);
-		    else
+		    } else {
 			    expansions[i].split(node, split);
+		    }
 	    });
 	frontier.nodes.clear();
 	for (Expansion& expansion : expansions) {
@@ -453,22 +472,25 @@ void sortPairs(const std::vector<std::vector<FacePair>>& parts, std::size_t face
                std::vector<FacePair>& out) {
 	std::vector<std::size_t> ends(facesOfA + 1, 0);
 	for (const auto& part : parts) {
-		for (const FacePair& pair : part)
+		for (const FacePair& pair : part) {
 			++ends[pair.a.value + 1];
+		}
 	}
 	std::partial_sum(ends.begin(), ends.end(), ends.begin());
 	out.resize(ends.back());
 	for (const auto& part : parts) {
-		for (const FacePair& pair : part)
+		for (const FacePair& pair : part) {
 			out[ends[pair.a.value]++] = pair;
+		}
 	}
 	const auto byB = [](const FacePair& p, const FacePair& q) { return p.b < q.b; };
 	std::size_t begin = 0;
 	for (const std::size_t end : ends) {
 		using Difference = std::vector<FacePair>::difference_type;
-		if (end > begin + 1)
+		if (end > begin + 1) {
 			std::sort(out.begin() + static_cast<Difference>(begin),
 			          out.begin() + static_cast<Difference>(end), byB);
+		}
 		begin = std::max(begin, end);
 	}
 }
@@ -477,8 +499,9 @@ void sortPairs(const std::vector<std::vector<FacePair>>& parts, std::size_t face
 Status makeFrontier(const Node& root, const Options& options, Monitor& monitor, Frontier& out) {
 	Status status;
 	out.nodes.push_back(root);
-	for (int level = 0; level < 3 && out.nodes.size() < kManyNodes && status.ok(); ++level)
+	for (int level = 0; level < 3 && out.nodes.size() < kManyNodes && status.ok(); ++level) {
 		status = expand(options, monitor, out);
+	}
 	return status;
 }
 
@@ -506,8 +529,9 @@ public:
 		}
 		const bool parted = parts(filter_, pair.b) || parts(filterOf(pair.b), pair.a);
 		countSign(Predicate::PairSieve, parted ? DecidedBy::Double : DecidedBy::Undecided);
-		if (!parted)
+		if (!parted) {
 			kept_.push_back(pair);
+		}
 	}
 
 private:
@@ -532,18 +556,21 @@ Status findPairsUnguarded(const MeshArrays& mesh, const Options& options, Monito
                           std::vector<FacePair>& out) {
 	FaceBoxes boxes;
 	Status status = collectFaceBoxes(mesh, options.threads, monitor, boxes);
-	if (!status.ok() || boxes.operand[0].empty() || boxes.operand[1].empty())
+	if (!status.ok() || boxes.operand[0].empty() || boxes.operand[1].empty()) {
 		return status;
+	}
 	Frontier frontier;
 	status = makeFrontier(makeRoot(boxes.operand[0], boxes.operand[1], boxes.halfSize), options,
 	                      monitor, frontier);
-	if (!status.ok())
+	if (!status.ok()) {
 		return status;
+	}
 	std::vector<std::vector<FacePair>> parts(frontier.nodes.size());
 	status = descend(frontier, options, monitor,
 	                 [&](std::size_t i) { return PlaneSieve(mesh, parts[i]); });
-	if (status.ok())
+	if (status.ok()) {
 		sortPairs(parts, mesh.faceBegin[1], out);
+	}
 	return status;
 }
 
@@ -564,8 +591,9 @@ Status visitPairsWithin(const HugeVector<FaceBox>& boxes, float halfSize, const 
                         Monitor& monitor, const PairVisitor& visit) {
 	const FpEnvironmentGuard environment;
 	const auto visitOnce = [&visit](FacePair pair) {
-		if (pair.a < pair.b)
+		if (pair.a < pair.b) {
 			visit(pair);
+		}
 	};
 	try {
 		Frontier frontier;

@@ -166,11 +166,13 @@ bool SelfSearch::meetInOneCornerOnly(FacePair pair) const {
 
 void SelfSearch::visit(FacePair pair) {
 	const std::uint64_t key = std::uint64_t{pair.a.value} << 32 | pair.b.value;
-	if (isConcerned(pair.a) && isConcerned(pair.b) && key > firstPair_.get())
+	if (isConcerned(pair.a) && isConcerned(pair.b) && key > firstPair_.get()) {
 		return;
+	}
 	PairContact contact;
-	if (meetInOneCornerOnly(pair))
+	if (meetInOneCornerOnly(pair)) {
 		return;
+	}
 	if (!contactOf(mesh_, pair, contact)) {
 		contradiction_ = true;
 	} else if (!isProper(pair, contact)) {
@@ -229,11 +231,13 @@ Status SelfSearch::result() const {
 		return status;
 	}
 	for (std::uint32_t i = 0; i < count_; ++i) {
-		if (isConcerned_[i])
+		if (isConcerned_[i]) {
 			status.faces.push_back(arrangement_.givenFace({first_ + i}));
+		}
 	}
-	if (status.faces.empty())
+	if (status.faces.empty()) {
 		return status;
+	}
 	// Faces that were split have one index as given.
 	std::sort(status.faces.begin(), status.faces.end());
 	status.faces.erase(std::unique(status.faces.begin(), status.faces.end()), status.faces.end());
@@ -249,11 +253,13 @@ Status SelfSearch::result() const {
 Status SelfSearch::run() {
 	BoundingBox box{};
 	Status status = findBox(box);
-	if (status.ok())
+	if (status.ok()) {
 		status = collectBoxes(box);
-	if (status.ok())
+	}
+	if (status.ok()) {
 		status = visitPairsWithin(boxes_, halfSize_, arrangement_.options, monitor_,
 		                          [this](FacePair pair) { visit(pair); });
+	}
 	return status.ok() ? result() : status;
 }
 
@@ -261,10 +267,12 @@ Status SelfSearch::run() {
 
 Status checkSelfIntersections(const Arrangement& arrangement, Monitor& monitor) {
 	Status status;
-	if (!arrangement.options.checkSelfIntersections)
+	if (!arrangement.options.checkSelfIntersections) {
 		return status;
-	for (std::size_t operand = 0; operand < 2 && status.ok(); ++operand)
+	}
+	for (std::size_t operand = 0; operand < 2 && status.ok(); ++operand) {
 		status = SelfSearch(arrangement, operand, monitor).run();
+	}
 	return status;
 }
 

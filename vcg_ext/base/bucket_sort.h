@@ -34,19 +34,23 @@ Status bucketSort(Array& items, std::size_t keyCount, KeyOf&& keyOf, Before&& be
 		return {};
 	}
 	unsigned shift = 0;
-	while (keyCount >> shift > items.size() / kItemsPerBucket)
+	while (keyCount >> shift > items.size() / kItemsPerBucket) {
 		++shift;
+	}
 	const auto bucketOf = [&](const Item& item) {
 		return static_cast<std::size_t>(keyOf(item)) >> shift;
 	};
 	std::vector<std::uint32_t> ends((keyCount >> shift) + 2, 0);  // begins, until items are moved
-	for (const Item& item : items)
+	for (const Item& item : items) {
 		++ends[bucketOf(item) + 1];
-	for (std::size_t bucket = 1; bucket < ends.size(); ++bucket)
+	}
+	for (std::size_t bucket = 1; bucket < ends.size(); ++bucket) {
 		ends[bucket] += ends[bucket - 1];
+	}
 	Array sorted(items.size());
-	for (const Item& item : items)
+	for (const Item& item : items) {
 		sorted[ends[bucketOf(item)]++] = item;
+	}
 	items.swap(sorted);
 	return parallelFor(ends.size(), kGrain, threads, monitor,
 	                   [&](std::size_t first, std::size_t last) {

@@ -23,14 +23,16 @@ public:
 	// Before any are united, for all elements [begin, end): they are in no set until they are
 	// united with others.
 	void clear(std::size_t begin, std::size_t end) {
-		for (std::size_t i = begin; i < end; ++i)
+		for (std::size_t i = begin; i < end; ++i) {
 			parents_[i].store(kUnused, std::memory_order_relaxed);
+		}
 	}
 
 	// The same, but each is a set of its own.
 	void makeSets(std::size_t begin, std::size_t end) {
-		for (std::size_t i = begin; i < end; ++i)
+		for (std::size_t i = begin; i < end; ++i) {
 			parents_[i].store(static_cast<std::uint32_t>(i), std::memory_order_relaxed);
+		}
 	}
 
 	// \return an element of both's set, its root unless another thread unites it meanwhile
@@ -38,23 +40,28 @@ public:
 		while (true) {
 			a = find(a);
 			b = find(b);
-			if (a == b)
+			if (a == b) {
 				return a;
-			if (a < b)
+			}
+			if (a < b) {
 				std::swap(a, b);
+			}
 			std::uint32_t expected = a;  // still a root?
-			if (parents_[a].compare_exchange_strong(expected, b, std::memory_order_relaxed))
+			if (parents_[a].compare_exchange_strong(expected, b, std::memory_order_relaxed)) {
 				return b;
+			}
 		}
 	}
 
 	// Neighbours on a surface mostly point at one root already: one search, two glances.
 	void unite(const std::array<std::uint32_t, 3>& corners) {
 		std::uint32_t set = find(corners[0]);
-		if (root(corners[1]) != set)
+		if (root(corners[1]) != set) {
 			set = unite(set, corners[1]);
-		if (root(corners[2]) != set)
+		}
+		if (root(corners[2]) != set) {
 			unite(set, corners[2]);
+		}
 	}
 
 	// Once all are united: makes the elements [begin, end) point at their roots. Afterwards root()
@@ -62,8 +69,9 @@ public:
 	void flatten(std::size_t begin, std::size_t end) {
 		for (std::size_t i = begin; i < end; ++i) {
 			std::uint32_t parent = root(static_cast<std::uint32_t>(i));
-			while (parent != kUnused && root(parent) != parent)
+			while (parent != kUnused && root(parent) != parent) {
 				parent = root(parent);
+			}
 			parents_[i].store(parent, std::memory_order_relaxed);
 		}
 	}
@@ -74,8 +82,9 @@ public:
 	// The number of sets.
 	std::size_t count() const {
 		std::size_t count = 0;
-		for (std::size_t i = 0; i < parents_.size(); ++i)
+		for (std::size_t i = 0; i < parents_.size(); ++i) {
 			count += parents_[i].load(std::memory_order_relaxed) == i ? 1 : 0;
+		}
 		return count;
 	}
 
@@ -87,12 +96,14 @@ private:
 	std::uint32_t find(std::uint32_t i) {
 		std::uint32_t parent = parents_[i].load(std::memory_order_relaxed);
 		if (parent == kUnused &&
-		    parents_[i].compare_exchange_strong(parent, i, std::memory_order_relaxed))
+		    parents_[i].compare_exchange_strong(parent, i, std::memory_order_relaxed)) {
 			return i;
+		}
 		while (parent != i) {
 			const std::uint32_t grandparent = parents_[parent].load(std::memory_order_relaxed);
-			if (grandparent != parent)
+			if (grandparent != parent) {
 				parents_[i].store(grandparent, std::memory_order_relaxed);
+			}
 			i = grandparent;
 			parent = parents_[i].load(std::memory_order_relaxed);
 		}

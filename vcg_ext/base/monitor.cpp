@@ -32,14 +32,16 @@ void Monitor::beginStage(const char* stage, double from, double to) {
 }
 
 void Monitor::report(double fractionOfStage) {
-	if (callback_ && now() - lastCallNanoseconds_ >= kNanosecondsBetweenCalls)
+	if (callback_ && now() - lastCallNanoseconds_ >= kNanosecondsBetweenCalls) {
 		call(from_ + (to_ - from_) * fractionOfStage);
+	}
 }
 
 // Nothing may be thrown through the core: a callback that throws asks for cancelling too.
 void Monitor::call(double fraction) {
-	if (!callback_ || cancelled())
+	if (!callback_ || cancelled()) {
 		return;
+	}
 	last_ = fraction > last_ ? std::min(fraction, 1.0) : last_;
 	bool goOn = false;
 	std::fenv_t ours;
@@ -50,8 +52,9 @@ void Monitor::call(double fraction) {
 		goOn = false;
 	}
 	std::fesetenv(&ours);  // a window's events may run drivers that change it
-	if (!goOn)
+	if (!goOn) {
 		cancelled_.store(true, std::memory_order_relaxed);
+	}
 	lastCallNanoseconds_ = now();
 }
 

@@ -67,12 +67,14 @@ void work(Run& run) {
 	const bool reports = isCallingThread();
 	while (!run.stopped()) {
 		const std::size_t chunk = run.next.fetch_add(1, std::memory_order_relaxed);
-		if (chunk >= run.chunks)
+		if (chunk >= run.chunks) {
 			return;
+		}
 		runOneChunk(run, chunk);
 		const std::size_t finished = run.finished.fetch_add(1, std::memory_order_relaxed) + 1;
-		if (reports)
+		if (reports) {
 			run.monitor.report(static_cast<double>(finished) / static_cast<double>(run.chunks));
+		}
 	}
 }
 
@@ -103,8 +105,9 @@ FpEnvironmentGuard::~FpEnvironmentGuard() {
 }
 
 bool pollCancelled(Monitor& monitor) {
-	if (isCallingThread())
+	if (isCallingThread()) {
 		monitor.report(0);
+	}
 	return monitor.cancelled();
 }
 
@@ -118,12 +121,13 @@ Status runChunks(std::size_t chunks, int threads, Monitor& monitor, void* contex
 		workTogether(state, static_cast<int>(std::min(chunks, static_cast<std::size_t>(wanted))));
 	}
 	Status status;
-	if (state.threw)
+	if (state.threw) {
 		status.code = StatusCode::InternalError;
-	else if (state.outOfMemory)
+	} else if (state.outOfMemory) {
 		status.code = StatusCode::OutOfMemory;
-	else if (monitor.cancelled())
+	} else if (monitor.cancelled()) {
 		status.code = StatusCode::Cancelled;
+	}
 	return status;
 }
 

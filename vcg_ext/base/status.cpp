@@ -53,8 +53,9 @@ constexpr Row kRows[] = {
 constexpr bool rowsAreInOrder() {
 	std::size_t index = 0;
 	for (const Row& row : kRows) {
-		if (static_cast<std::size_t>(row.code) != index++)
+		if (static_cast<std::size_t>(row.code) != index++) {
 			return false;
+		}
 	}
 	return index == kStatusCodeCount;
 }
@@ -73,8 +74,9 @@ std::string describe(const Status& status) {
 	text.imbue(std::locale::classic());
 	text.precision(6);
 	text << row.defect;
-	if (counts)
+	if (counts) {
 		text << ": " << status.count << ' ' << (status.count == 1 ? row.one : row.many);
+	}
 	if (status.hasPlace) {
 		const Point& p = status.place;
 		text << (counts && status.count > 1 ? ", the first near (" : ", near (") << p[0] << ", "

@@ -19,10 +19,11 @@ using Vector = std::array<N, 3>;
 template <class N>
 Vector<N> difference(const Point& a, const Point& b) {
 	const auto component = [&](std::size_t k) {
-		if constexpr (std::is_same_v<N, BoundedPair>)
+		if constexpr (std::is_same_v<N, BoundedPair>) {
 			return BoundedPair::difference(a[k], b[k]);
-		else
+		} else {
 			return N(a[k]) - N(b[k]);
+		}
 	};
 	return {component(0), component(1), component(2)};
 }
@@ -242,8 +243,9 @@ const Point* cornerLevelWith(const ExactPoint& p, std::size_t axis) {
 		return levelOf(0, 2) != nullptr || axis == p.axis ? levelOf(0, 2) : levelOf(2, 2);
 	case ExactPoint::Form::ThreePlanes:
 		for (const std::size_t plane : {0u, 3u, 6u}) {
-			if (const Point* corner = levelOf(plane, 3))
+			if (const Point* corner = levelOf(plane, 3)) {
 				return corner;
+			}
 		}
 	}
 	return nullptr;
@@ -258,9 +260,10 @@ bool isKnown(const ExactPoint& p, int axis) {
 // Whether a point lies strictly inside the edge by[0] by[1].
 bool isInsideEdge(const ExactPoint& p) {
 	const auto& by = p.by;
-	if (p.form == ExactPoint::Form::LinePlane)
+	if (p.form == ExactPoint::Form::LinePlane) {
 		return orient3d(*by[2], *by[3], *by[4], *by[0]) * orient3d(*by[2], *by[3], *by[4], *by[1]) <
 		       0;
+	}
 	return p.form == ExactPoint::Form::LineLine &&
 	       orient2d(*by[2], *by[3], *by[0], p.axis) * orient2d(*by[2], *by[3], *by[1], p.axis) < 0;
 }
@@ -272,8 +275,9 @@ int orientationByEnds(const ExactPoint& a, const ExactPoint& b, const ExactPoint
                       int axis) {
 	const int first = orient2d(a.rounded, b.rounded, *inside.by[0], axis);
 	const int second = orient2d(a.rounded, b.rounded, *inside.by[1], axis);
-	if (first * second < 0 || !isInsideEdge(inside))
+	if (first * second < 0 || !isInsideEdge(inside)) {
 		return kUnknownSign;
+	}
 	return first != 0 ? first : second;
 }
 
@@ -288,15 +292,19 @@ bool areLevel(const ExactPoint& a, const ExactPoint& b, const ExactPoint& c, int
 
 // The orientation as far as coordinates that are known exactly tell it, else kUnknownSign.
 int orientationOfKnown(const ExactPoint& a, const ExactPoint& b, const ExactPoint& c, int axis) {
-	if (areLevel(a, b, c, nextCorner(axis)) || areLevel(a, b, c, previousCorner(axis)))
+	if (areLevel(a, b, c, nextCorner(axis)) || areLevel(a, b, c, previousCorner(axis))) {
 		return 0;
+	}
 	const bool knowsA = isKnown(a, axis), knowsB = isKnown(b, axis), knowsC = isKnown(c, axis);
-	if (knowsA && knowsB && knowsC)
+	if (knowsA && knowsB && knowsC) {
 		return orient2d(a.rounded, b.rounded, c.rounded, axis);
-	if (knowsA && knowsB)
+	}
+	if (knowsA && knowsB) {
 		return orientationByEnds(a, b, c, axis);
-	if (knowsB && knowsC)
+	}
+	if (knowsB && knowsC) {
 		return orientationByEnds(b, c, a, axis);
+	}
 	return knowsA && knowsC ? orientationByEnds(c, a, b, axis) : kUnknownSign;
 }
 
@@ -439,8 +447,9 @@ void roundPoint(ExactPoint& p) {
 	if (!allCertain) {
 		const Quotient<Dyadic> exact = quotient<Dyadic>(p);
 		for (std::size_t k = 0; k < 3; ++k) {
-			if (certain[k])
+			if (certain[k]) {
 				continue;
+			}
 			const Dyadic numerator = Dyadic(base[k]) * exact.denominator + exact.numerator[k];
 			p.rounded[k] = roundedQuotient(numerator, exact.denominator);
 		}
@@ -491,8 +500,9 @@ int compareCoordinate(const ExactPoint& a, const ExactPoint& b, int axis) {
 int orient2d(const PlanarPoint& a, const PlanarPoint& b, const PlanarPoint& c) {
 	const Bounded value = (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
 	const int sign = value.sign();
-	if (sign != kUnknownSign)
+	if (sign != kUnknownSign) {
 		countSign(Predicate::CurveOrient2d, DecidedBy::Double);
+	}
 	return sign;
 }
 
@@ -500,8 +510,9 @@ int orient2d(const ExactPoint& a, const ExactPoint& b, const ExactPoint& c, int 
 	const auto planar = [axis](const ExactPoint& p) {
 		return PlanarPoint(p.rounded, p.form == ExactPoint::Form::Explicit, axis);
 	};
-	if (const int sign = orient2d(planar(a), planar(b), planar(c)); sign != kUnknownSign)
+	if (const int sign = orient2d(planar(a), planar(b), planar(c)); sign != kUnknownSign) {
 		return sign;
+	}
 	if (const int sign = orientationOfKnown(a, b, c, axis); sign != kUnknownSign) {
 		return sign;  // counted as one of input points
 	}

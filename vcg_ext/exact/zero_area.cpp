@@ -28,12 +28,14 @@ Status gatherZeroArea(std::size_t count, int threads, Monitor& monitor, const Fa
 		                      for (std::size_t i = begin; i < end; ++i) {
 			                      const std::size_t face = faceAt(i);
 			                      const std::array<const Point*, 3> corners = cornersOf(face);
-			                      if (hasZeroArea(*corners[0], *corners[1], *corners[2]))
+			                      if (hasZeroArea(*corners[0], *corners[1], *corners[2])) {
 				                      found[chunk].push_back(static_cast<std::uint32_t>(face));
+			                      }
 		                      }
 	                      });
-	for (const std::vector<std::uint32_t>& faces : found)
+	for (const std::vector<std::uint32_t>& faces : found) {
 		out.insert(out.end(), faces.begin(), faces.end());
+	}
 	return status;
 } catch (const std::bad_alloc&) {
 	return statusOf(StatusCode::OutOfMemory);
@@ -49,8 +51,9 @@ auto cornersIn(const Points& points, const IndexTriangles& triangles) {
 }  // namespace
 
 bool hasZeroArea(const Point& a, const Point& b, const Point& c) {
-	if (RoundedNormal(a, b, c).isCertain())
+	if (RoundedNormal(a, b, c).isCertain()) {
 		return false;
+	}
 	return orient2d(a, b, c, 0) == 0 && orient2d(a, b, c, 1) == 0 && orient2d(a, b, c, 2) == 0;
 }
 

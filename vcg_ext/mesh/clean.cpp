@@ -43,10 +43,12 @@ public:
 	template <class Moved>
 	void unite(std::uint32_t x, std::uint32_t y, const Moved& moved) {
 		std::uint32_t large = label_[x], small = label_[y];
-		if (large == small)
+		if (large == small) {
 			return;
-		if (size_[large] < size_[small])
+		}
+		if (size_[large] < size_[small]) {
 			std::swap(large, small);
+		}
 		std::uint32_t member = small;
 		do {
 			label_[member] = large;
@@ -107,12 +109,14 @@ Status facesAt(const Surface& surface, const Wanted& wanted, std::vector<std::ui
 	                      [&](std::size_t chunk, std::size_t begin, std::size_t end) {
 		                      for (std::size_t i = begin; i < end; ++i) {
 			                      const IndexTriangle& t = triangles[i];
-			                      if (wanted(t[0]) || wanted(t[1]) || wanted(t[2]))
+			                      if (wanted(t[0]) || wanted(t[1]) || wanted(t[2])) {
 				                      found[chunk].push_back(index32(i));
+			                      }
 		                      }
 	                      });
-	for (const std::vector<std::uint32_t>& faces : found)
+	for (const std::vector<std::uint32_t>& faces : found) {
 		out.insert(out.end(), faces.begin(), faces.end());
+	}
 	return status;
 }
 
@@ -125,8 +129,9 @@ Neighbourhood numberLocally(const IndexTriangles& triangles, const std::vector<s
                             const std::vector<std::uint32_t>& zeroAreaFaces) {
 	std::vector<std::uint32_t> vertices;
 	vertices.reserve(3 * near.size());
-	for (const std::uint32_t face : near)
+	for (const std::uint32_t face : near) {
 		vertices.insert(vertices.end(), triangles[face].begin(), triangles[face].end());
+	}
 	sortUnique(vertices);
 	Neighbourhood local(std::move(vertices));
 	local.originalFaces = near.size();
@@ -148,8 +153,9 @@ Neighbourhood numberLocally(const IndexTriangles& triangles, const std::vector<s
 void rankCorners(const Points& points, Neighbourhood& local) {
 	std::vector<std::uint32_t> corners;
 	for (const LocalFace& face : local.faces) {
-		if (face.zeroArea)
+		if (face.zeroArea) {
 			corners.insert(corners.end(), face.corners.begin(), face.corners.end());
+		}
 	}
 	sortUnique(corners);
 	const auto pointOf = [&](std::uint32_t v) -> const Point& { return points[local.vertex[v]]; };
@@ -157,8 +163,9 @@ void rankCorners(const Points& points, Neighbourhood& local) {
 	          [&](std::uint32_t a, std::uint32_t b) { return pointOf(a) < pointOf(b); });
 	std::uint32_t rank = 0;
 	for (std::size_t i = 0; i < corners.size(); ++i) {
-		if (i > 0 && pointOf(corners[i - 1]) < pointOf(corners[i]))
+		if (i > 0 && pointOf(corners[i - 1]) < pointOf(corners[i])) {
 			++rank;
+		}
 		local.rank[corners[i]] = rank;
 	}
 }
@@ -170,14 +177,16 @@ void uniteJoined(Neighbourhood& local) {
 		for (int i = 0; face.zeroArea && i < 3; ++i) {
 			const std::uint32_t from = face.corners[static_cast<std::size_t>(i)];
 			const std::uint32_t to = face.corners[static_cast<std::size_t>(nextCorner(i))];
-			if (local.rank[from] == local.rank[to])
+			if (local.rank[from] == local.rank[to]) {
 				local.classes.unite(from, to, [](std::uint32_t) {});
+			}
 		}
 	}
 	for (LocalFace& face : local.faces) {
 		const IndexTriangle c = local.labels(face);
-		if (c[0] == c[1] || c[1] == c[2] || c[2] == c[0])
+		if (c[0] == c[1] || c[1] == c[2] || c[2] == c[0]) {
 			face.alive = false;
+		}
 	}
 }
 
@@ -209,8 +218,9 @@ std::size_t cancelOpposite(Neighbourhood& local) {
 	std::vector<FaceKey> keys;
 	keys.reserve(local.faces.size());
 	for (std::size_t i = 0; i < local.faces.size(); ++i) {
-		if (local.faces[i].alive)
+		if (local.faces[i].alive) {
 			keys.push_back(faceKey(local.labels(local.faces[i]), i));
+		}
 	}
 	std::sort(keys.begin(), keys.end(), [](const FaceKey& a, const FaceKey& b) {
 		return a.sorted != b.sorted ? a.sorted < b.sorted : a.face > b.face;
@@ -218,14 +228,16 @@ std::size_t cancelOpposite(Neighbourhood& local) {
 	std::size_t removed = 0;
 	for (std::size_t begin = 0, end = 0; begin < keys.size(); begin = end) {
 		std::array<std::size_t, 2> count{};
-		for (end = begin; end < keys.size() && keys[end].sorted == keys[begin].sorted; ++end)
+		for (end = begin; end < keys.size() && keys[end].sorted == keys[begin].sorted; ++end) {
 			++count[keys[end].even];
+		}
 		std::array<std::size_t, 2> left{};
 		left.fill(std::min(count[0], count[1]));
 		for (std::size_t i = begin; i < end; ++i) {
 			LocalFace& face = local.faces[keys[i].face];
-			if (left[keys[i].even] == 0)
+			if (left[keys[i].even] == 0) {
 				continue;
+			}
 			--left[keys[i].even];
 			face.alive = false;
 			removed += face.zeroArea ? 0 : 1;
@@ -294,8 +306,9 @@ private:
 IndexTriangles aliveZeroAreaFaces(const Neighbourhood& local) {
 	IndexTriangles faces;
 	for (const LocalFace& face : local.faces) {
-		if (face.alive && face.zeroArea)
+		if (face.alive && face.zeroArea) {
 			faces.push_back(face.corners);
+		}
 	}
 	return faces;
 }
@@ -304,13 +317,15 @@ Clusters::Clusters(Neighbourhood& local)
     : local_(local), faces_(aliveZeroAreaFaces(local)), clusters_(faces_.size()),
       begin_(local.vertex.size() + 1, 0), facesAt_(3 * faces_.size()), again_(faces_.size()) {
 	for (const IndexTriangle& face : faces_) {
-		for (const std::uint32_t corner : face)
+		for (const std::uint32_t corner : face) {
 			++begin_[corner];
+		}
 	}
 	std::partial_sum(begin_.begin(), begin_.end(), begin_.begin());
 	for (std::size_t i = 0; i < faces_.size(); ++i) {
-		for (const std::uint32_t corner : faces_[i])
+		for (const std::uint32_t corner : faces_[i]) {
 			facesAt_[--begin_[corner]] = index32(i);
+		}
 	}
 	std::iota(again_.begin(), again_.end(), 0U);
 }
@@ -340,8 +355,9 @@ void Clusters::look(std::uint32_t face) {
 
 void Clusters::grow(Monitor& monitor) {
 	for (std::size_t looks = 1; !again_.empty(); ++looks) {
-		if (looks % kPollFaces == 0 && pollCancelled(monitor))
+		if (looks % kPollFaces == 0 && pollCancelled(monitor)) {
 			return;
+		}
 		const std::uint32_t face = again_.back();
 		again_.pop_back();
 		look(face);
@@ -351,8 +367,9 @@ void Clusters::grow(Monitor& monitor) {
 
 void Clusters::listSites() {
 	for (std::size_t i = 0; i < faces_.size(); ++i) {
-		for (const std::uint32_t corner : faces_[i])
+		for (const std::uint32_t corner : faces_[i]) {
 			sites_.push_back({clusters_.label(index32(i)), local_.rank[corner], corner});
+		}
 	}
 	// All vertices at a site are united, so any of them may stand for it.
 	const auto same = [](const Site& a, const Site& b) { return !(a < b) && !(b < a); };
@@ -363,18 +380,21 @@ void Clusters::listSites() {
 void Clusters::inside(std::uint32_t u, std::uint32_t v, std::vector<std::uint32_t>& out) const {
 	out.clear();
 	const std::uint32_t from = local_.rank[u], to = local_.rank[v];
-	if (from == kNone || to == kNone)
+	if (from == kNone || to == kNone) {
 		return;
+	}
 	const auto face = faceOfEdge_.find(edgeKey(local_.classes.label(u), local_.classes.label(v)));
-	if (face == faceOfEdge_.end())
+	if (face == faceOfEdge_.end()) {
 		return;
+	}
 	const std::uint32_t cluster = clusters_.label(face->second);
 	const Site low{cluster, std::min(from, to), 0}, high{cluster, std::max(from, to), 0};
 	const auto begin = std::upper_bound(sites_.begin(), sites_.end(), low);
 	const auto end = std::lower_bound(begin, sites_.end(), high);
 	std::transform(begin, end, std::back_inserter(out), [](const Site& s) { return s.vertex; });
-	if (to < from)
+	if (to < from) {
 		std::reverse(out.begin(), out.end());
+	}
 }
 
 // Splits the faces with area beside clusters. The points lie inside the face's edges, exactly. From
@@ -407,8 +427,9 @@ std::size_t Splitter::apex(const IndexTriangle& corners) const {
 	std::size_t best = 3;
 	for (std::size_t i = 0; i < 3; ++i) {
 		const auto pointOf = [&](std::size_t k) { return points_[local_.vertex[corners[k]]]; };
-		if (!inside_[i].empty() && (best == 3 || pointOf(i) < pointOf(best)))
+		if (!inside_[i].empty() && (best == 3 || pointOf(i) < pointOf(best))) {
 			best = i;
+		}
 	}
 	return best;
 }
@@ -424,11 +445,13 @@ void Splitter::fan(std::uint32_t from, std::uint32_t first,
 
 bool Splitter::split(std::size_t face) {
 	const IndexTriangle corners = local_.faces[face].corners;
-	for (std::size_t i = 0; i < 3; ++i)
+	for (std::size_t i = 0; i < 3; ++i) {
 		clusters_.inside(corners[(i + 1) % 3], corners[(i + 2) % 3], inside_[i]);
+	}
 	const std::size_t top = apex(corners);
-	if (top == 3)
+	if (top == 3) {
 		return false;
+	}
 	const std::size_t left = (top + 1) % 3, right = (top + 2) % 3;
 	const std::uint32_t x = corners[top], y = corners[left], z = corners[right];
 	origin_ = local_.faces[face].origin;
@@ -450,16 +473,20 @@ Status replaceClusters(const Surface& surface, Neighbourhood& local, CleanResult
 	clusters.grow(surface.monitor);
 	Splitter splitter(surface.points, clusters, local);
 	for (std::size_t i = 0; i < local.originalFaces; ++i) {
-		if (i % kPollFaces == 0 && pollCancelled(surface.monitor))
+		if (i % kPollFaces == 0 && pollCancelled(surface.monitor)) {
 			return statusOf(StatusCode::Cancelled);
-		if (!local.faces[i].alive)
+		}
+		if (!local.faces[i].alive) {
 			continue;
-		if (local.faces[i].zeroArea)
+		}
+		if (local.faces[i].zeroArea) {
 			local.faces[i].alive = false;
-		else
+		} else {
 			result.facesSplit += splitter.split(i) ? 1 : 0;
-		if (surface.triangles.size() + local.faces.size() > kMaxFaces + local.originalFaces)
+		}
+		if (surface.triangles.size() + local.faces.size() > kMaxFaces + local.originalFaces) {
 			return statusOf(StatusCode::TooLarge);
+		}
 	}
 	return Status();
 }
@@ -472,8 +499,9 @@ std::vector<std::uint32_t> representatives(const Neighbourhood& local) {
 		best = std::min(best, local.vertex[v]);
 	}
 	std::vector<std::uint32_t> result(local.vertex.size());
-	for (std::size_t v = 0; v < local.vertex.size(); ++v)
+	for (std::size_t v = 0; v < local.vertex.size(); ++v) {
 		result[v] = smallest[local.classes.label(index32(v))];
+	}
 	return result;
 }
 
@@ -481,11 +509,13 @@ std::vector<std::uint32_t> representatives(const Neighbourhood& local) {
 std::vector<std::uint8_t> lostHere(const Surface& surface, const Neighbourhood& local,
                                    const std::vector<std::uint32_t>& representative) {
 	std::vector<std::uint8_t> lost(surface.points.size(), 0);
-	for (const std::uint32_t vertex : local.vertex)
+	for (const std::uint32_t vertex : local.vertex) {
 		lost[vertex] = 1;
+	}
 	for (const LocalFace& face : local.faces) {
-		for (std::size_t i = 0; face.alive && i < 3; ++i)
+		for (std::size_t i = 0; face.alive && i < 3; ++i) {
 			lost[representative[face.corners[i]]] = 0;
+		}
 	}
 	return lost;
 }
@@ -497,21 +527,26 @@ Status listUnreferenced(const Surface& surface, const Neighbourhood& local,
                         std::vector<std::uint32_t>& out) {
 	std::vector<std::uint8_t> lost = lostHere(surface, local, representative);
 	bool inDoubt = false;
-	for (std::size_t v = 0; v < local.vertex.size(); ++v)
+	for (std::size_t v = 0; v < local.vertex.size(); ++v) {
 		inDoubt = inDoubt || (local.rank[v] == kNone && lost[local.vertex[v]] != 0);
+	}
 	std::vector<std::uint32_t> faces;
 	Status status;
-	if (inDoubt)
+	if (inDoubt) {
 		status = facesAt(
 		    surface, [&lost](std::uint32_t v) { return lost[v] != 0; }, faces);
+	}
 	std::size_t next = 0;  // of the original faces here, which ascend as `faces` do
 	for (const std::uint32_t face : faces) {
-		while (next < local.originalFaces && local.faces[next].origin < face)
+		while (next < local.originalFaces && local.faces[next].origin < face) {
 			++next;
-		if (next < local.originalFaces && local.faces[next].origin == face)
+		}
+		if (next < local.originalFaces && local.faces[next].origin == face) {
 			continue;
-		for (const std::uint32_t corner : surface.triangles[face])
+		}
+		for (const std::uint32_t corner : surface.triangles[face]) {
 			lost[corner] = 0;
+		}
 	}
 	std::copy_if(local.vertex.begin(), local.vertex.end(), std::back_inserter(out),
 	             [&lost](std::uint32_t vertex) { return lost[vertex] != 0; });
@@ -524,10 +559,11 @@ std::size_t closeHoles(const std::uint32_t* begin, const std::uint32_t* end, std
                        std::vector<Relocation::Move>& moves) {
 	while (begin != end) {
 		--count;
-		if (*(end - 1) == count)
+		if (*(end - 1) == count) {
 			--end;
-		else
+		} else {
 			moves.push_back({index32(count), *begin++});
+		}
 	}
 	return count;
 }
@@ -539,10 +575,12 @@ void writeBack(const Neighbourhood& local, const std::vector<std::uint32_t>& rep
 	std::vector<std::uint32_t> holes;
 	std::vector<std::size_t> pieces;
 	for (std::size_t i = 0; i < local.faces.size(); ++i) {
-		if (i >= local.originalFaces && local.faces[i].alive)
+		if (i >= local.originalFaces && local.faces[i].alive) {
 			pieces.push_back(i);
-		if (i < local.originalFaces && !local.faces[i].alive)
+		}
+		if (i < local.originalFaces && !local.faces[i].alive) {
 			holes.push_back(local.faces[i].origin);
+		}
 	}
 	const std::size_t filled = std::min(holes.size(), pieces.size());
 	const std::size_t added = pieces.size() - filled;
@@ -559,12 +597,15 @@ void writeBack(const Neighbourhood& local, const std::vector<std::uint32_t>& rep
 		const IndexTriangle& c = face.corners;
 		triangles[to] = {representative[c[0]], representative[c[1]], representative[c[2]]};
 	};
-	for (std::size_t i = 0; i < local.originalFaces; ++i)
+	for (std::size_t i = 0; i < local.originalFaces; ++i) {
 		write(local.faces[i].origin, local.faces[i]);
-	for (std::size_t i = 0; i < pieces.size(); ++i)
+	}
+	for (std::size_t i = 0; i < pieces.size(); ++i) {
 		write(moves[i].to, local.faces[pieces[i]]);
-	for (std::size_t i = pieces.size(); i < moves.size(); ++i)
+	}
+	for (std::size_t i = pieces.size(); i < moves.size(); ++i) {
 		triangles[moves[i].to] = triangles[moves[i].from];
+	}
 	triangles.resize(relocation.count);
 }
 
@@ -573,8 +614,9 @@ Status gather(const Surface& surface, const std::vector<std::uint32_t>& zeroArea
               std::vector<std::uint32_t>& near) {
 	std::vector<std::uint8_t> flags(surface.points.size(), 0);
 	for (const std::uint32_t face : zeroAreaFaces) {
-		for (const std::uint32_t corner : surface.triangles[face])
+		for (const std::uint32_t corner : surface.triangles[face]) {
 			flags[corner] = 1;
+		}
 	}
 	return facesAt(
 	    surface, [&flags](std::uint32_t v) { return flags[v] != 0; }, near);
@@ -583,19 +625,22 @@ Status gather(const Surface& surface, const std::vector<std::uint32_t>& zeroArea
 Status clean(const Surface& surface, const std::vector<std::uint32_t>& zeroAreaFaces,
              CleanResult& result) {
 	std::vector<std::uint32_t> near;
-	if (Status status = gather(surface, zeroAreaFaces, near); !status.ok())
+	if (Status status = gather(surface, zeroAreaFaces, near); !status.ok()) {
 		return status;
+	}
 	Neighbourhood local = numberLocally(surface.triangles, near, zeroAreaFaces);
 	rankCorners(surface.points, local);
 	uniteJoined(local);
 	result.oppositeFacesRemoved = cancelOpposite(local);
-	if (Status status = replaceClusters(surface, local, result); !status.ok())
+	if (Status status = replaceClusters(surface, local, result); !status.ok()) {
 		return status;
+	}
 	result.oppositeFacesRemoved += cancelOpposite(local);
 	result.zeroAreaFacesRemoved = zeroAreaFaces.size();
 	const std::vector<std::uint32_t> representative = representatives(local);
-	for (std::size_t v = 0; v < local.vertex.size(); ++v)
+	for (std::size_t v = 0; v < local.vertex.size(); ++v) {
 		result.verticesMerged += representative[v] != local.vertex[v] ? 1 : 0;
+	}
 	Status status = listUnreferenced(surface, local, representative, result.unreferenced);
 	if (status.ok()) {
 		writeBack(local, representative, surface.triangles, result.faces);
@@ -612,21 +657,26 @@ Status remove(const std::vector<std::uint32_t>& vertices, const Surface& surface
 	    closeHoles(vertices.data(), vertices.data() + vertices.size(), points.size(), moves);
 	relocated.count = count;
 	std::vector<std::uint32_t> target(points.size() - count, kNone);
-	for (const Relocation::Move& move : moves)
+	for (const Relocation::Move& move : moves) {
 		target[move.from - count] = move.to;
+	}
 	std::vector<std::uint32_t> faces;
 	Status status;
-	if (!moves.empty())
+	if (!moves.empty()) {
 		status = facesAt(
 		    surface, [count](std::uint32_t v) { return v >= count; }, faces);
-	if (!status.ok())
-		return status;
-	for (const std::uint32_t face : faces) {
-		for (std::uint32_t& corner : surface.triangles[face])
-			corner = corner >= count ? target[corner - count] : corner;
 	}
-	for (const Relocation::Move& move : moves)
+	if (!status.ok()) {
+		return status;
+	}
+	for (const std::uint32_t face : faces) {
+		for (std::uint32_t& corner : surface.triangles[face]) {
+			corner = corner >= count ? target[corner - count] : corner;
+		}
+	}
+	for (const Relocation::Move& move : moves) {
 		points[move.to] = points[move.from];
+	}
 	points.resize(count);
 	return status;
 }
@@ -657,8 +707,9 @@ Status cleanMesh(FaceRange range, int threads, Monitor& monitor, Points& points,
                  IndexTriangles& triangles, CleanResult& result) {
 	std::vector<std::uint32_t> zeroAreaFaces;
 	Status status = findZeroAreaFaces(points, triangles, range, threads, monitor, zeroAreaFaces);
-	if (status.ok())
+	if (status.ok()) {
 		status = cleanSurface(points, zeroAreaFaces, threads, monitor, triangles, result);
+	}
 	if (status.ok()) {
 		status = removeVertices(result.unreferenced, threads, monitor, points, triangles,
 		                        result.vertices);

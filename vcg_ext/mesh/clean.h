@@ -29,11 +29,13 @@ struct Relocation {
 	void apply(Array& elements) const {
 		Array moved;
 		moved.reserve(moves.size());
-		for (const Move& move : moves)
+		for (const Move& move : moves) {
 			moved.push_back(elements[move.from]);
+		}
 		elements.resize(count);
-		for (std::size_t i = 0; i < moves.size(); ++i)
+		for (std::size_t i = 0; i < moves.size(); ++i) {
 			elements[moves[i].to] = moved[i];
+		}
 	}
 };
 

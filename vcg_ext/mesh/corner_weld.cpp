@@ -34,8 +34,9 @@ class PlaceSieve {
 public:
 	// A word for four to eight vertices of the larger operand.
 	explicit PlaceSieve(std::size_t vertexCount) {
-		while (vertexCount >> shift_ > 8)
+		while (vertexCount >> shift_ > 8) {
 			++shift_;
+		}
 		cells_ = std::vector<Cell>(std::size_t{1} << shift_);
 	}
 
@@ -62,8 +63,9 @@ public:
 	// Of two vertices that are added with the same bits, at the same time or not, one finds them.
 	void add(std::size_t operand, PlaceBits bits) {
 		Cell& cell = cells_[bits.cell];
-		if (set(cell.once[operand], bits.mask))
+		if (set(cell.once[operand], bits.mask)) {
 			set(cell.twice[operand], bits.mask);
+		}
 	}
 
 	// Once all are added: whether this one may have another in its place.
@@ -85,8 +87,9 @@ private:
 	// \return whether the bits had been set before
 	static bool set(Word& word, std::uint64_t mask) {
 		std::uint64_t before = word.load(std::memory_order_relaxed);
-		if ((before & mask) != mask)
+		if ((before & mask) != mask) {
 			before = word.fetch_or(mask, std::memory_order_relaxed);
+		}
 		return (before & mask) == mask;
 	}
 
@@ -99,16 +102,18 @@ class VertexTable {
 public:
 	VertexTable(const Points& points, std::size_t most) : points_(points) {
 		std::size_t size = 16;
-		while (size < 2 * most)
+		while (size < 2 * most) {
 			size *= 2;
+		}
 		slots_.assign(size, kEmpty);
 	}
 
 	// The vertex at this one's place; if there is none yet, this one, which is put there.
 	std::uint32_t findOrAdd(std::uint32_t vertex) {
 		std::uint32_t& slot = slots_[slotOf(points_[vertex])];
-		if (slot == kEmpty)
+		if (slot == kEmpty) {
 			slot = vertex;
+		}
 		return slot;
 	}
 
@@ -118,8 +123,9 @@ public:
 private:
 	std::size_t slotOf(const Point& p) const {
 		std::size_t slot = coordinateHash(p) & (slots_.size() - 1);
-		while (slots_[slot] != kEmpty && points_[slots_[slot]] != p)
+		while (slots_[slot] != kEmpty && points_[slots_[slot]] != p) {
 			slot = (slot + 1) & (slots_.size() - 1);
+		}
 		return slot;
 	}
 
@@ -147,10 +153,12 @@ void askAhead(const Points& points, std::size_t begin, std::size_t end, const Pl
 	std::array<PlaceBits, kAhead> bits{};
 	for (std::size_t first = begin; first < end; first += kAhead) {
 		const std::size_t count = std::min(kAhead, end - first);
-		for (std::size_t i = 0; i < count; ++i)
+		for (std::size_t i = 0; i < count; ++i) {
 			bits[i] = sieve.bitsOf(points[first + i]);
-		for (std::size_t i = 0; i < count; ++i)
+		}
+		for (std::size_t i = 0; i < count; ++i) {
 			use(first + i, bits[i]);
+		}
 	}
 }
 
@@ -167,44 +175,53 @@ Status CornerWelder::findSuspects(double most, bool& inRange) {
 			within &= isWithin(points[v], most);
 			sieve.add(operand, bits);
 		});
-		if (!within)
+		if (!within) {
 			allInRange = false;
+		}
 	};
 	std::vector<std::vector<std::uint32_t>> found(2 * chunkCount(points.size(), kGrain));
 	const auto find = [&](std::size_t operand, std::size_t begin, std::size_t end) {
 		askAhead(points, begin, end, sieve, [&](std::size_t v, PlaceBits bits) {
-			if (sieve.mayShare(operand, bits) && isWithin(points[v], kMax))
+			if (sieve.mayShare(operand, bits) && isWithin(points[v], kMax)) {
 				found[2 * (v / kGrain) + operand].push_back(static_cast<std::uint32_t>(v));
+			}
 		});
 	};
 	Status status = forEachVertexRange(mesh_, threads_, monitor_, add);
-	if (status.ok())
+	if (status.ok()) {
 		status = forEachVertexRange(mesh_, threads_, monitor_, find);
+	}
 	inRange = allInRange;
-	for (std::size_t i = 0; i < found.size(); ++i)
+	for (std::size_t i = 0; i < found.size(); ++i) {
 		suspects_[i % 2].insert(suspects_[i % 2].end(), found[i].begin(), found[i].end());
+	}
 	return status;
 }
 
 // Replaces each corner of the faces from firstFace on.
 Status CornerWelder::replaceCorners(const std::vector<Move>& moves, std::size_t firstFace) {
-	if (moves.empty())
+	if (moves.empty()) {
 		return {};
+	}
 	HugeVector<VertexId> canonical(mesh_.points.size());
 	Status status = parallelFor(mesh_.points.size(), kGrain, threads_, monitor_,
 	                            [&canonical](std::size_t begin, std::size_t end) {
-		                            for (std::size_t v = begin; v < end; ++v)
+		                            for (std::size_t v = begin; v < end; ++v) {
 			                            canonical[v] = makeId<VertexTag>(v);
+		                            }
 	                            });
-	for (const Move& move : moves)
+	for (const Move& move : moves) {
 		canonical[move.vertex] = {move.to};
-	if (!status.ok())
+	}
+	if (!status.ok()) {
 		return status;
+	}
 	return parallelFor(mesh_.triangles.size() - firstFace, kGrain, threads_, monitor_,
 	                   [&](std::size_t begin, std::size_t end) {
 		                   for (std::size_t f = firstFace + begin; f < firstFace + end; ++f) {
-			                   for (VertexId& v : mesh_.triangles[f])
+			                   for (VertexId& v : mesh_.triangles[f]) {
 				                   v = at(canonical, v);
+			                   }
 		                   }
 	                   });
 }
@@ -218,8 +235,9 @@ Status CornerWelder::weldWithinOperands(std::array<bool, 2>& welded) {
 			    VertexTable table(mesh_.points, suspects_[operand].size());
 			    for (const std::uint32_t v : suspects_[operand]) {
 				    const std::uint32_t first = table.findOrAdd(v);
-				    if (first != v)
+				    if (first != v) {
 					    moves[operand].push_back({v, first});
+				    }
 			    }
 		    }
 	    });
@@ -232,24 +250,28 @@ Status CornerWelder::weldWithinOperands(std::array<bool, 2>& welded) {
 std::vector<bool> CornerWelder::usedByFirst() const {
 	std::vector<bool> used(mesh_.vertexBegin[1], false);
 	for (std::size_t face = 0; face < mesh_.faceBegin[1]; ++face) {
-		for (const VertexId v : mesh_.triangles[face])
+		for (const VertexId v : mesh_.triangles[face]) {
 			used[v.value] = true;
+		}
 	}
 	return used;
 }
 
 Status CornerWelder::weldSecondToFirst() {
 	VertexTable first(mesh_.points, suspects_[0].size());
-	for (const std::uint32_t v : suspects_[0])
+	for (const std::uint32_t v : suspects_[0]) {
 		first.findOrAdd(v);
+	}
 	std::vector<Move> moves;
 	for (const std::uint32_t v : suspects_[1]) {
 		const std::uint32_t twin = first.vertexAt(mesh_.points[v]);
-		if (twin != kEmpty)
+		if (twin != kEmpty) {
 			moves.push_back({v, twin});
+		}
 	}
-	if (moves.empty())
+	if (moves.empty()) {
 		return {};
+	}
 	const std::vector<bool> used = usedByFirst();
 	const auto isUnused = [&used](const Move& move) { return !used[move.to]; };
 	moves.erase(std::remove_if(moves.begin(), moves.end(), isUnused), moves.end());

@@ -41,8 +41,9 @@ Totals lookAt(const IndexTriangle* begin, const IndexTriangle* end, const Points
 BlockMeasure measureSurface(const Points& points, const IndexTriangles& triangles, int threads) {
 	const FpEnvironmentGuard environment;
 	BlockMeasure measure;
-	if (triangles.empty())
+	if (triangles.empty()) {
 		return measure;
+	}
 	Monitor unheard;
 	BoundingBox box{};
 	Status status = findBoundingBox(points.data(), points.size(), threads, unheard, box);

@@ -34,12 +34,14 @@ constexpr std::size_t kElementGrain = 16384;
 template <class Elements>
 std::vector<std::uint32_t> livePositions(const Elements& elements, std::size_t liveCount) {
 	std::vector<std::uint32_t> positions;
-	if (liveCount == elements.size())
+	if (liveCount == elements.size()) {
 		return positions;
+	}
 	positions.reserve(liveCount);
 	for (std::size_t i = 0; i < elements.size(); ++i) {
-		if (!elements[i].IsD())
+		if (!elements[i].IsD()) {
 			positions.push_back(static_cast<std::uint32_t>(i));
+		}
 	}
 	return positions;
 }
@@ -66,19 +68,22 @@ public:
 	// \param live the mesh's vertices that get an id; \param begin the id of the first of them
 	VertexNumbering(const TriMesh& mesh, const LiveElements& live, std::size_t begin)
 	    : first_(mesh.vert.data()), size_(mesh.vert.size()), begin_(begin) {
-		if (live.positions.empty())
+		if (live.positions.empty()) {
 			return;
+		}
 		ids_.assign(mesh.vert.size(), VertexId::none());
-		for (std::size_t i = 0; i < live.count; ++i)
+		for (std::size_t i = 0; i < live.count; ++i) {
 			ids_[live[i]] = makeId<VertexTag>(begin + i);
+		}
 	}
 
 	// none() for a deleted vertex and for a pointer to none of the mesh's vertices: the core then
 	// refuses the face.
 	VertexId of(const typename TriMesh::VertexType* vertex) const {
 		const std::less<const typename TriMesh::VertexType*> before;
-		if (vertex == nullptr || before(vertex, first_) || !before(vertex, first_ + size_))
+		if (vertex == nullptr || before(vertex, first_) || !before(vertex, first_ + size_)) {
 			return VertexId::none();
+		}
 		const auto position = static_cast<std::size_t>(vertex - first_);
 		return ids_.empty() ? makeId<VertexTag>(begin_ + position) : ids_[position];
 	}
@@ -97,8 +102,9 @@ inline void growArrays(std::size_t vertexCount, std::size_t faceCount, int opera
 	out.faceBegin[first] = static_cast<std::uint32_t>(out.triangles.size());
 	out.points.resize(out.points.size() + vertexCount);
 	out.triangles.resize(out.triangles.size() + faceCount);
-	if (!out.faux.empty())
+	if (!out.faux.empty()) {
 		out.faux.resize(out.triangles.size(), 0);
+	}
 	for (std::size_t end = first + 1; end < out.vertexBegin.size(); ++end) {
 		out.vertexBegin[end] = static_cast<std::uint32_t>(out.points.size());
 		out.faceBegin[end] = static_cast<std::uint32_t>(out.triangles.size());
@@ -140,8 +146,9 @@ Status appendOperand(const TriMesh& mesh,
                      Monitor& monitor, MeshArrays& out, OperandElements& elements) {
 	Status status = checkCounts(out.points.size() + static_cast<std::size_t>(mesh.vn),
 	                            out.triangles.size() + static_cast<std::size_t>(mesh.fn));
-	if (!status.ok())
+	if (!status.ok()) {
 		return status;
+	}
 	elements = {liveElements(mesh.vert, mesh.vn), liveElements(mesh.face, mesh.fn)};
 	const LiveElements &vertices = elements.vertices, &faces = elements.faces;
 	growArrays(vertices.count, faces.count, operand, out);
@@ -156,13 +163,15 @@ Status appendOperand(const TriMesh& mesh,
 			             static_cast<double>(p[2])};
 			selected |= vertex.IsS();
 		}
-		if (selected)
+		if (selected) {
 			anySelected = true;
+		}
 	};
 	status = parallelFor(vertices.count, kElementGrain, 0, monitor, readPoints);
 	elements.anyVertexSelected = anySelected;
-	if (!status.ok())
+	if (!status.ok()) {
 		return status;
+	}
 
 	const VertexNumbering<TriMesh> ids(mesh, vertices, out.points.size() - vertices.count);
 	Triangle* triangles = out.triangles.data() + (out.triangles.size() - faces.count);
@@ -174,10 +183,12 @@ Status appendOperand(const TriMesh& mesh,
 			faux |= face.IsAnyF();
 			selected |= face.IsS();
 		}
-		if (faux)
+		if (faux) {
 			anyFaux = true;
-		if (selected)
+		}
+		if (selected) {
 			anyFaceSelected = true;
+		}
 	};
 	status = parallelFor(faces.count, kElementGrain, 0, monitor, readTriangles);
 	elements.anyFaceSelected = anyFaceSelected;
@@ -190,8 +201,9 @@ using IndexedEdge = std::array<std::uint32_t, 2>;
 // coordinates neither overflow nor vanish; 1 if there is no coordinate but zero.
 inline double unitScale(const BoundingBox& box) {
 	double largest = 0;
-	for (std::size_t axis = 0; axis < 3; ++axis)
+	for (std::size_t axis = 0; axis < 3; ++axis) {
 		largest = std::max({largest, std::abs(box.lo[axis]), std::abs(box.hi[axis])});
+	}
 	constexpr int kSmallestExponent = -1022;  // beyond, the scale itself would overflow
 	return largest > 0 ? std::ldexp(1.0, -std::max(std::ilogb(largest), kSmallestExponent)) : 1.0;
 }
@@ -268,8 +280,9 @@ Status SurfaceWriter<TriMesh>::begin(Monitor& monitor) {
 	    points_.size());  // for the optional components too, which the line above misses
 	out_.face.reserve(triangles_.size());
 	out_.bbox.SetNull();
-	if (points_.empty())
+	if (points_.empty()) {
 		return {};
+	}
 	BoundingBox box{};
 	const Status status = findBoundingBox(points_.data(), points_.size(), 0, monitor, box);
 	if (status.ok()) {  // rounding never swaps two coordinates
@@ -287,8 +300,9 @@ Status SurfaceWriter<TriMesh>::findVertexNormals(Monitor& monitor) {
 		for (std::size_t i = begin; i < end; ++i) {
 			const Point normal = scaledNormal(points_, triangles_[i], scale_);
 			for (const std::uint32_t corner : triangles_[i]) {
-				for (std::size_t axis = 0; axis < 3; ++axis)
+				for (std::size_t axis = 0; axis < 3; ++axis) {
 					normalSums_[corner][axis] += normal[axis];
+				}
 			}
 		}
 	};
@@ -300,8 +314,9 @@ void SurfaceWriter<TriMesh>::appendVertices(std::size_t begin, std::size_t end) 
 	vcg::tri::Allocator<TriMesh>::AddVertices(out_, end - begin);
 	for (std::size_t i = begin; i < end; ++i) {
 		out_.vert[i].P() = toCoordinate<TriMesh>(points_[i]);
-		if (!normalSums_.empty())
+		if (!normalSums_.empty()) {
 			out_.vert[i].N() = toCoordinate<TriMesh>(direction(normalSums_[i]));
+		}
 	}
 }
 
@@ -312,12 +327,14 @@ void SurfaceWriter<TriMesh>::appendFaces(std::size_t begin, std::size_t end) {
 	for (std::size_t i = begin; i < end; ++i) {
 		auto& face = out_.face[i];
 		const IndexTriangle& triangle = triangles_[i];
-		for (int corner = 0; corner < 3; ++corner)
+		for (int corner = 0; corner < 3; ++corner) {
 			face.V(corner) = vertices + triangle[static_cast<std::size_t>(corner)];
+		}
 		face.N() = toCoordinate<TriMesh>(direction(scaledNormal(points_, triangle, scale_)));
 		for (int edge = 0; !faux_.empty() && edge < 3; ++edge) {
-			if ((faux_[i] >> edge & 1) != 0)
+			if ((faux_[i] >> edge & 1) != 0) {
 				face.SetF(edge);
+			}
 		}
 	}
 }

@@ -91,18 +91,22 @@ void findUnmatchedEdges(const Triangle* begin, const Triangle* end, UnmatchedEdg
 	const std::vector<Side> sides = sortedSides(begin, end);
 	for (std::size_t first = 0, next = 0; first < sides.size(); first = next) {
 		std::size_t forward = 0;
-		for (; next < sides.size() && sides[next].hasEdgeOf(sides[first]); ++next)
+		for (; next < sides.size() && sides[next].hasEdgeOf(sides[first]); ++next) {
 			forward += sides[next].forward ? 1 : 0;
+		}
 		const std::size_t count = next - first;
-		if (2 * forward == count)
+		if (2 * forward == count) {
 			continue;
+		}
 		const bool border = count % 2 == 1;
 		std::size_t& edges = border ? out.borderEdges : out.conflictingEdges;
 		++edges;
-		if (edges == 1 && (border || out.borderEdges == 0))
+		if (edges == 1 && (border || out.borderEdges == 0)) {
 			out.firstEdge = {sides[first].lower, sides[first].upper};
-		for (std::size_t i = first; i < next; ++i)
+		}
+		for (std::size_t i = first; i < next; ++i) {
 			out.faces.push_back(sides[i].face);
+		}
 	}
 	std::sort(out.faces.begin(), out.faces.end());
 	out.faces.erase(std::unique(out.faces.begin(), out.faces.end()), out.faces.end());

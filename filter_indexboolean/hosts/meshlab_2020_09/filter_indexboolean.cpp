@@ -87,8 +87,9 @@ int FilterIndexBoolean::postCondition(QAction*) const {
 
 void FilterIndexBoolean::initParameterSet(QAction* action, MeshDocument& document,
                                           RichParameterList& list) {
-	for (const ParameterDefinition& parameter : definitionOf(ID(action)).parameters)
+	for (const ParameterDefinition& parameter : definitionOf(ID(action)).parameters) {
 		addParameter(parameter, document, list);
+	}
 }
 
 bool FilterIndexBoolean::applyFilter(QAction* action, MeshDocument& document,
@@ -99,8 +100,9 @@ bool FilterIndexBoolean::applyFilter(QAction* action, MeshDocument& document,
 		const ParameterValues values = readValues(
 		    filter, parameters, [&](const char* name) { return layerOf(name, parameters); });
 		const FilterOutput output = runFilter(filter.id, values, document, callback);
-		for (const std::string& message : output.messages)
+		for (const std::string& message : output.messages) {
 			Log(message);
+		}
 		return true;
 	} catch (...) {
 		const std::string message = messageOfCaught();

@@ -18,8 +18,9 @@ namespace index_boolean {
 // In the order of the document.
 inline std::vector<int> layerIds(const MeshDocument& document) {
 	std::vector<int> ids;
-	for (const MeshModel* layer : document.meshList)
+	for (const MeshModel* layer : document.meshList) {
 		ids.push_back(layer->id());
+	}
 	return ids;
 }
 

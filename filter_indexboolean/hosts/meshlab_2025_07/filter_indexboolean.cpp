@@ -19,8 +19,9 @@ const FilterDefinition& definitionOf(int filter) {
 // The layer that a dialog shows first; a document with too few layers gives its last.
 unsigned int defaultLayer(const ParameterDefinition& definition, const MeshDocument& document) {
 	const std::vector<int> ids = layerIds(document);
-	if (ids.empty())
+	if (ids.empty()) {
 		return 0;
+	}
 	const auto position = static_cast<std::size_t>(definition.defaultValue);
 	return static_cast<unsigned int>(ids[std::min(position, ids.size() - 1)]);
 }
@@ -91,8 +92,9 @@ int FilterIndexBoolean::postCondition(const QAction*) const {
 RichParameterList FilterIndexBoolean::initParameterList(const QAction* action,
                                                         const MeshDocument& document) {
 	RichParameterList list;
-	for (const ParameterDefinition& parameter : definitionOf(ID(action)).parameters)
+	for (const ParameterDefinition& parameter : definitionOf(ID(action)).parameters) {
 		addParameter(parameter, document, list);
+	}
 	return list;
 }
 
@@ -107,8 +109,9 @@ std::map<std::string, QVariant> FilterIndexBoolean::applyFilter(const QAction* a
 		const ParameterValues values = readValues(
 		    filter, parameters, [&](const char* name) { return layerOf(name, parameters); });
 		const FilterOutput output = runFilter(filter.id, values, document, callback);
-		for (const std::string& message : output.messages)
+		for (const std::string& message : output.messages) {
 			log(message);
+		}
 		return output.map;
 	} catch (...) {
 		throw MLException(QString::fromStdString(messageOfCaught()));

@@ -18,8 +18,9 @@ namespace index_boolean {
 // In the order of the document.
 inline std::vector<int> layerIds(const MeshDocument& document) {
 	std::vector<int> ids;
-	for (const MeshModel& layer : document.meshIterator())
+	for (const MeshModel& layer : document.meshIterator()) {
 		ids.push_back(layer.id());
+	}
 	return ids;
 }
 
@@ -44,8 +45,9 @@ struct LayerTexture {
 // In the order of the layer's list.
 inline std::vector<LayerTexture> texturesOf(const MeshModel& layer) {
 	std::vector<LayerTexture> textures;
-	for (const std::string& name : layer.cm.textures)
+	for (const std::string& name : layer.cm.textures) {
 		textures.push_back({name, layer.getTexture(name)});
+	}
 	return textures;
 }
 

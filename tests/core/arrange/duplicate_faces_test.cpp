@@ -31,8 +31,9 @@ IndexTriangles facesOf(const Arrangement& arrangement, std::size_t operand) {
 	IndexTriangles faces;
 	for (std::uint32_t face = mesh.faceBegin[operand]; face < mesh.faceBegin[operand + 1]; ++face) {
 		Corners corners{};
-		for (std::size_t i = 0; i < 3; ++i)
+		for (std::size_t i = 0; i < 3; ++i) {
 			corners[i] = mesh.triangles[face][i].value - mesh.vertexBegin[operand];
+		}
 		faces.push_back(corners);
 	}
 	return faces;
@@ -41,8 +42,9 @@ IndexTriangles facesOf(const Arrangement& arrangement, std::size_t operand) {
 std::vector<std::uint32_t> givenFaces(const Arrangement& arrangement, std::size_t operand) {
 	std::vector<std::uint32_t> given;
 	for (std::uint32_t face = arrangement.mesh.faceBegin[operand];
-	     face < arrangement.mesh.faceBegin[operand + 1]; ++face)
+	     face < arrangement.mesh.faceBegin[operand + 1]; ++face) {
 		given.push_back(arrangement.givenFace({face}));
+	}
 	return given;
 }
 
@@ -74,8 +76,9 @@ TEST(DuplicateFaces, equalFacesOfBothOperandsAreNoDuplicates) {
 	Arrangement arrangement;
 	arrangement.mesh = arrays(kUnit, kUnit);
 	for (Triangle& t : arrangement.mesh.triangles) {
-		for (VertexId& v : t)
+		for (VertexId& v : t) {
 			v.value %= 8;  // as after welding
+		}
 	}
 	Monitor monitor;
 	ASSERT_TRUE(removeDuplicateFaces(arrangement, monitor).ok());
@@ -84,13 +87,15 @@ TEST(DuplicateFaces, equalFacesOfBothOperandsAreNoDuplicates) {
 
 TEST(DuplicateFaces, aWallInBothDirectionsCancels) {
 	Mesh two;  // boxes side by side on twelve vertices
-	for (std::uint32_t i = 0; i < 12; ++i)
+	for (std::uint32_t i = 0; i < 12; ++i) {
 		two.points.push_back({double(i % 3), double(i / 3 % 2), double(i / 6)});
+	}
 	for (const std::uint32_t shift : {0u, 1u}) {
 		for (const Corners& t : kUnit.triangles) {
 			Corners corners{};
-			for (std::size_t i = 0; i < 3; ++i)
+			for (std::size_t i = 0; i < 3; ++i) {
 				corners[i] = t[i] % 2 + t[i] / 2 * 3 + shift;
+			}
 			two.triangles.push_back(corners);
 		}
 	}
@@ -175,16 +180,19 @@ TEST(DuplicateFaces, indicesAsGivenAreKeptFromBefore) {
 	oneTwice.triangles.push_back(oneTwice.triangles[0]);
 	Arrangement arrangement;
 	arrangement.mesh = arrays(oneTwice, oneTwice);
-	for (std::uint32_t face = 0; face < 26; ++face)
+	for (std::uint32_t face = 0; face < 26; ++face) {
 		arrangement.faceGiven.push_back(100 + face);
+	}
 	Monitor monitor;
 	ASSERT_TRUE(removeDuplicateFaces(arrangement, monitor).ok());
 	std::vector<std::uint32_t> expected;
-	for (std::uint32_t face = 0; face < 12; ++face)
+	for (std::uint32_t face = 0; face < 12; ++face) {
 		expected.push_back(100 + face);
+	}
 	EXPECT_EQ(givenFaces(arrangement, 0), expected);
-	for (std::uint32_t& face : expected)
+	for (std::uint32_t& face : expected) {
 		face += 13;
+	}
 	EXPECT_EQ(givenFaces(arrangement, 1), expected);
 }
 
@@ -200,23 +208,28 @@ IndexTriangles expectedFaces(const IndexTriangles& all) {
 		std::sort(c.begin(), c.end());
 		return c;
 	};
-	for (const Corners& t : all)
+	for (const Corners& t : all) {
 		net[key(t)] += sign(t);
+	}
 	IndexTriangles once, kept;
 	std::map<Corners, int> left = net;
 	for (const Corners& t : all) {
 		int& rest = left[key(t)];
-		if (rest * sign(t) <= 0)
+		if (rest * sign(t) <= 0) {
 			continue;
+		}
 		kept.push_back(t);
-		if (rest == net[key(t)])
+		if (rest == net[key(t)]) {
 			once.push_back(t);
+		}
 		rest -= sign(t);
 	}
-	if (kept.empty())
+	if (kept.empty()) {
 		return all;
-	if (isClosed(once))
+	}
+	if (isClosed(once)) {
 		return once;
+	}
 	return isClosed(all) && once.size() < kept.size() ? IndexTriangles{} : kept;
 }
 
@@ -230,8 +243,9 @@ TEST(DuplicateFaces, randomFacesOnFewVerticesAgreeWithCounting) {
 		for (unsigned i = 0; i < seed % 17; ++i) {
 			Corners t = mesh.triangles[random() % faces];
 			std::rotate(t.begin(), t.begin() + random() % 3, t.end());
-			if (seed % 3 == 0 && random() % 2 == 0)
+			if (seed % 3 == 0 && random() % 2 == 0) {
 				std::swap(t[0], t[1]);
+			}
 			mesh.triangles.push_back(t);
 		}
 		mesh = permuted(mesh, random);
@@ -247,8 +261,9 @@ TEST(DuplicateFaces, randomFacesOnFewVerticesAgreeWithCounting) {
 		const Arrangement arrangement = cleaned(kUnit, mesh);
 		ASSERT_EQ(facesOf(arrangement, 1), expected);
 		const std::vector<std::uint32_t> given = givenFaces(arrangement, 1);
-		for (std::size_t i = 0; i < given.size(); ++i)
+		for (std::size_t i = 0; i < given.size(); ++i) {
 			ASSERT_EQ(facesOf(arrangement, 1)[i], mesh.triangles[given[i]]);
+		}
 		const DuplicateFaces& counts = arrangement.duplicates;
 		ASSERT_EQ(mesh.triangles.size() - given.size(),
 		          2 * counts.cancelledPairs[1] + counts.takenOnce[1]);
@@ -263,13 +278,15 @@ TEST(DuplicateFaces, fewAmongManyFacesAreFoundWithAnyNumberOfThreads) {
 	const Mesh clean = permuted(sphere(100, {0, 0, 0}, 1), random);
 	Mesh fan;  // all faces on one smallest vertex
 	fan.points.resize(20001);
-	for (std::uint32_t i = 1; i <= 20000; ++i)
+	for (std::uint32_t i = 1; i <= 20000; ++i) {
 		fan.triangles.push_back({0, i, i % 20000 + 1});
+	}
 	for (const Mesh& mesh : {clean, fan}) {
 		Mesh doubled = mesh;
 		std::vector<std::uint32_t> expected;
-		for (std::uint32_t i = 0; i < mesh.triangles.size(); ++i)
+		for (std::uint32_t i = 0; i < mesh.triangles.size(); ++i) {
 			expected.push_back(i);
+		}
 		for (int i = 0; i < 20; ++i) {
 			const std::size_t face = random() % mesh.triangles.size();
 			Corners t = mesh.triangles[face];

@@ -28,8 +28,9 @@ Pairs found(const MeshArrays& mesh, const Options& options = {}) {
 	const Status status = findPairs(mesh, options, monitor, pairs);
 	EXPECT_EQ(status.code, StatusCode::Ok);
 	Pairs result;
-	for (const FacePair& pair : pairs)
+	for (const FacePair& pair : pairs) {
 		result.emplace_back(pair.a.value, pair.b.value);
+	}
 	return result;
 }
 
@@ -55,8 +56,9 @@ std::vector<Box> faceBoxes(const MeshArrays& mesh) {
 // The widest gap between two boxes along an axis; at most 0 if they touch or overlap.
 double gap(const Box& a, const Box& b) {
 	double widest = -std::numeric_limits<double>::infinity();
-	for (std::size_t axis = 0; axis < 3; ++axis)
+	for (std::size_t axis = 0; axis < 3; ++axis) {
 		widest = std::max({widest, b.lo[axis] - a.hi[axis], a.lo[axis] - b.hi[axis]});
+	}
 	return widest;
 }
 
@@ -85,9 +87,10 @@ double halfSizeOfCommonBox(const MeshArrays& mesh) {
 bool parts(const MeshArrays& mesh, std::uint32_t plane, std::uint32_t face) {
 	const Triangle& p = mesh.triangles[plane];
 	int sum = 0;
-	for (const VertexId v : mesh.triangles[face])
+	for (const VertexId v : mesh.triangles[face]) {
 		sum += orient3d(at(mesh.points, p[0]), at(mesh.points, p[1]), at(mesh.points, p[2]),
 		                at(mesh.points, v));
+	}
 	return sum == 3 || sum == -3;
 }
 
@@ -104,11 +107,13 @@ std::size_t expectAllPairs(const Mesh& first, const Mesh& second) {
 	std::size_t boxesMeet = 0;
 	for (std::uint32_t a = 0; a < mesh.faceBegin[1]; ++a) {
 		for (std::uint32_t b = mesh.faceBegin[1]; b < mesh.faceBegin[2]; ++b) {
-			if (gap(boxes[a], boxes[b]) > 0)
+			if (gap(boxes[a], boxes[b]) > 0) {
 				continue;
+			}
 			++boxesMeet;
-			if (!apart(mesh, a, b))
+			if (!apart(mesh, a, b)) {
 				expected.emplace_back(a, b);
+			}
 		}
 	}
 	const Pairs pairs = found(mesh);
@@ -116,8 +121,9 @@ std::size_t expectAllPairs(const Mesh& first, const Mesh& second) {
 	EXPECT_EQ(std::adjacent_find(pairs.begin(), pairs.end()), pairs.end()) << "a pair twice";
 	EXPECT_TRUE(std::includes(pairs.begin(), pairs.end(), expected.begin(), expected.end()));
 	const double rounding = std::ldexp(halfSizeOfCommonBox(mesh), -22);
-	for (const auto& [a, b] : pairs)
+	for (const auto& [a, b] : pairs) {
 		EXPECT_LE(gap(boxes[a], boxes[b]), rounding) << a << ' ' << b;
+	}
 	for (const auto& [depth, leafSize, threads] :
 	     {std::array{1, 0, 1}, {20, 1, 1}, {20, 0, 8}, {3, 40, 2}, {12, 1000, 1}, {7, 2, 2}}) {
 		Options options;
@@ -137,9 +143,10 @@ Mesh triangleSoup(std::size_t count, double reach, std::mt19937& random, Centre 
 	for (std::size_t i = 0; i < count; ++i) {
 		const Point c = centre();
 		const auto first = static_cast<std::uint32_t>(mesh.points.size());
-		for (int corner = 0; corner < 3; ++corner)
+		for (int corner = 0; corner < 3; ++corner) {
 			mesh.points.push_back(
 			    {c[0] + offset(random), c[1] + offset(random), c[2] + offset(random)});
+		}
 		mesh.triangles.push_back({first, first + 1, first + 2});
 	}
 	return mesh;
@@ -154,8 +161,9 @@ Mesh uniformSoup(std::size_t count, double reach, std::mt19937& random) {
 
 Mesh mapped(Mesh mesh, double scale, Point offset) {
 	for (Point& p : mesh.points) {
-		for (std::size_t axis = 0; axis < 3; ++axis)
+		for (std::size_t axis = 0; axis < 3; ++axis) {
 			p[axis] = p[axis] * scale + offset[axis];
+		}
 	}
 	return mesh;
 }
@@ -253,8 +261,9 @@ TEST(OctreePairs, gridCoordinatesWithManyTiesAgreeWithBruteForce) {
 		Mesh b = uniformSoup(600, 0.3, random);
 		for (Mesh* mesh : {&a, &b}) {
 			for (Point& p : mesh->points) {
-				for (double& x : p)
+				for (double& x : p) {
 					x = std::round(x * 8) / 8;
+				}
 			}
 		}
 		EXPECT_GT(expectAllPairs(a, b), 1000U);
@@ -305,8 +314,9 @@ TEST(OctreePairs, facesThatAPlanePartsAreNoPair) {
 	const MeshArrays mesh = shapes::arrays(a, uniformSoup(400, 0.5, random));
 	const Pairs pairs = found(mesh);
 	EXPECT_GT(pairs.size(), 1000U);
-	for (const auto& [first, second] : pairs)
+	for (const auto& [first, second] : pairs) {
 		EXPECT_FALSE(apart(mesh, first, second)) << first << ' ' << second;
+	}
 }
 
 TEST(OctreePairs, boxesThatTouchArePairs) {
@@ -346,8 +356,9 @@ TEST(OctreePairs, listDoesNotDependOnTheThreads) {
 	EXPECT_GT(pairs.size(), 5000U);
 	for (const int threads : {0, 2, 3, 8}) {
 		options.threads = threads;
-		for (int repeat = 0; repeat < 3; ++repeat)
+		for (int repeat = 0; repeat < 3; ++repeat) {
 			EXPECT_EQ(found(mesh, options), pairs) << threads;
+		}
 	}
 }
 
@@ -359,8 +370,9 @@ TEST(OctreePairs, pairsOfOneSurfaceAgreeWithBruteForce) {
 		std::mt19937 random(seed);
 		Mesh soup = uniformSoup(100 * seed, 0.02 * seed, random);
 		for (Point& p : soup.points) {
-			for (double& x : p)
+			for (double& x : p) {
 				x = static_cast<double>(static_cast<float>(x));
+			}
 		}
 		const std::vector<Box> boxes = faceBoxes(shapes::arrays(soup, {}));
 		HugeVector<FaceBox> rounded(boxes.size());
@@ -372,8 +384,9 @@ TEST(OctreePairs, pairsOfOneSurfaceAgreeWithBruteForce) {
 			}
 			rounded[a].face = a;
 			for (std::uint32_t b = a + 1; b < boxes.size(); ++b) {
-				if (gap(boxes[a], boxes[b]) <= 0)
+				if (gap(boxes[a], boxes[b]) <= 0) {
 					expected.emplace_back(a, b);
+				}
 			}
 		}
 		Options options;

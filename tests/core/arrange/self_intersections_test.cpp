@@ -47,8 +47,9 @@ ExactPolygon clipped(const ExactPolygon& polygon, const ExactVector& normal,
 		const ExactVector& p = polygon[i];
 		const ExactVector& q = polygon[(i + 1) % polygon.size()];
 		const Rational atP = dot(normal, minus(p, origin)), atQ = dot(normal, minus(q, origin));
-		if (atP >= 0)
+		if (atP >= 0) {
 			result.push_back(p);
+		}
 		if ((atP > 0 && atQ < 0) || (atP < 0 && atQ > 0)) {
 			const Rational t = atP / (atP - atQ);
 			const ExactVector d = minus(q, p);
@@ -71,15 +72,17 @@ ExactPolygon commonPart(const ExactPolygon& s, const ExactPolygon& t) {
 	const ExactVector normal = cross(minus(t[1], t[0]), minus(t[2], t[0]));
 	const ExactVector opposite{-normal[0], -normal[1], -normal[2]};
 	ExactPolygon part = clipped(clipped(s, normal, t[0]), opposite, t[0]);
-	for (std::size_t i = 0; i < 3; ++i)
+	for (std::size_t i = 0; i < 3; ++i) {
 		part = clipped(part, cross(normal, minus(t[(i + 1) % 3], t[i])), t[i]);
+	}
 	return part;
 }
 
 // Whether p lies in the hull of at most two points.
 bool isWithin(const ExactVector& p, const ExactPolygon& hull) {
-	if (hull.size() < 2)
+	if (hull.size() < 2) {
 		return !hull.empty() && p == hull[0];
+	}
 	const ExactVector toA = minus(hull[0], p), toB = minus(hull[1], p);
 	const ExactVector zero{0, 0, 0};
 	return cross(toA, toB) == zero && dot(toA, toB) <= 0;
@@ -101,13 +104,15 @@ bool meetWrongly(const MeshArrays& mesh, std::size_t a, std::size_t b) {
 bool isPlaceOfFirst(const MeshArrays& mesh, std::size_t operand, const Point& place) {
 	for (std::uint32_t a = mesh.faceBegin[operand]; a < mesh.faceBegin[operand + 1]; ++a) {
 		for (std::uint32_t b = a + 1; b < mesh.faceBegin[operand + 1]; ++b) {
-			if (!meetWrongly(mesh, a, b))
+			if (!meetWrongly(mesh, a, b)) {
 				continue;
+			}
 			const ExactPolygon part = commonPart(exactTriangle(mesh, a), exactTriangle(mesh, b));
 			return std::any_of(part.begin(), part.end(), [&place](const ExactVector& p) {
 				double distance = 0;
-				for (std::size_t axis = 0; axis < 3; ++axis)
+				for (std::size_t axis = 0; axis < 3; ++axis) {
 					distance += std::fabs(p[axis].convert_to<double>() - place[axis]);
+				}
 				return distance < 1e-12;
 			});
 		}
@@ -121,8 +126,9 @@ std::vector<std::uint32_t> expectedFaces(const MeshArrays& mesh, std::size_t ope
 	const std::uint32_t begin = mesh.faceBegin[operand], end = mesh.faceBegin[operand + 1];
 	for (std::uint32_t a = begin; a < end; ++a) {
 		for (std::uint32_t b = a + 1; b < end; ++b) {
-			if (meetWrongly(mesh, a, b))
+			if (meetWrongly(mesh, a, b)) {
 				faces.insert({a - begin, b - begin});
+			}
 		}
 	}
 	return {faces.begin(), faces.end()};
@@ -152,8 +158,9 @@ Status found(const Arrangement& arrangement) {
 }
 
 void expectNone(const Mesh& mesh) {
-	for (const Status& status : {found(prepared(mesh, kAway)), found(prepared(kAway, mesh))})
+	for (const Status& status : {found(prepared(mesh, kAway)), found(prepared(kAway, mesh))}) {
 		EXPECT_EQ(status.code, StatusCode::Ok) << describe(status);
+	}
 }
 
 // Expects exactly the faces that rational arithmetic gives, in either operand; returns the status.
@@ -178,8 +185,9 @@ Mesh cells(std::mt19937& random, int span, double share) {
 	std::bernoulli_distribution solid(share);
 	std::set<std::array<int, 3>> all;
 	for (int i = 0; i < span * span * span; ++i) {
-		if (solid(random))
+		if (solid(random)) {
 			all.insert({i % span, i / span % span, i / span / span});
+		}
 	}
 	Mesh mesh;
 	for (const auto& cell : all) {
@@ -190,9 +198,10 @@ Mesh cells(std::mt19937& random, int span, double share) {
 		for (std::size_t wall = 0; wall < 6; ++wall) {
 			std::array<int, 3> beside = cell;  // walls come as z-, z+, y-, y+, x-, x+
 			beside[2 - wall / 2] += wall % 2 == 0 ? -1 : 1;
-			if (all.count(beside) == 0)
+			if (all.count(beside) == 0) {
 				walls.triangles.insert(walls.triangles.end(),
 				                       {cube.triangles[2 * wall], cube.triangles[2 * wall + 1]});
+			}
 		}
 		mesh = joined(mesh, walls);
 	}
@@ -223,8 +232,9 @@ TEST(SelfIntersections, componentsThatMeetInCommonCornersAndEdgesHaveNone) {
 		SCOPED_TRACE("seed " + std::to_string(seed));
 		std::mt19937 random(seed);
 		const Mesh mesh = cells(random, 4, 0.15 + 0.1 * (seed % 7));
-		if (!mesh.triangles.empty())
+		if (!mesh.triangles.empty()) {
 			expectNone(permuted(mesh, random));
+		}
 	}
 }
 
@@ -276,21 +286,24 @@ TEST(SelfIntersections, aFaceThereTwiceIsFound) {
 // kind, coplanar overlaps, equal ones.
 Mesh gridTriangles(std::mt19937& random, int width, int height, std::size_t count) {
 	std::set<Point> places;
-	while (places.size() < 9)
+	while (places.size() < 9) {
 		places.insert({double(random() % unsigned(width)), double(random() % unsigned(width)),
 		               double(random() % unsigned(height))});
+	}
 	Mesh mesh;
 	mesh.points.assign(places.begin(), places.end());
 	while (mesh.triangles.size() < count) {
 		const std::array<std::uint32_t, 3> t{
 		    std::uint32_t(random() % 9), std::uint32_t(random() % 9), std::uint32_t(random() % 9)};
 		ExactPolygon corners;
-		for (const std::uint32_t v : t)
+		for (const std::uint32_t v : t) {
 			corners.push_back({Rational(mesh.points[v][0]), Rational(mesh.points[v][1]),
 			                   Rational(mesh.points[v][2])});
+		}
 		if (cross(minus(corners[1], corners[0]), minus(corners[2], corners[0])) !=
-		    ExactVector{0, 0, 0})
+		    ExactVector{0, 0, 0}) {
 			mesh.triangles.push_back(t);
+		}
 	}
 	return mesh;
 }
@@ -327,8 +340,9 @@ TEST(SelfIntersections, facesAreNumberedAsGiven) {
 	const Mesh other = tetrahedron({1, 2, 4}, {0, 2, 9}, {2, 1, 9}, {2, 3, 9});
 	std::vector<std::uint32_t> expected = found(prepared(joined(first, other), kAway)).faces;
 	ASSERT_FALSE(expected.empty());
-	for (std::uint32_t& face : expected)
+	for (std::uint32_t& face : expected) {
 		face += face >= 2 ? 1 : 0;
+	}
 	EXPECT_EQ(found(prepared(joined(collapsed, other), kAway)).faces, expected);
 }
 
@@ -341,8 +355,9 @@ TEST(SelfIntersections, anyMagnitudeIsSearched) {
 		scaled = joined(scaled, tetrahedron({1, 2, 4}, {0, 2, 9}, {2, 1, 9}, {2, 3, 9}));
 		const Status unscaled = found(prepared(scaled, kAway));
 		for (Point& p : scaled.points) {
-			for (double& x : p)
+			for (double& x : p) {
 				x = std::ldexp(x, exponent);
+			}
 		}
 		EXPECT_EQ(found(prepared(scaled, kAway)).faces, unscaled.faces) << exponent;
 	}
@@ -370,8 +385,9 @@ TEST(SelfIntersections, theResultDependsOnNeitherThreadsNorTheOctree) {
 		SCOPED_TRACE("seed " + std::to_string(seed));
 		std::mt19937 random(seed);
 		Mesh tangle = placed(torus(60, 30, 1, 0.4), random, 0.2);
-		for (std::uint32_t n = 2; n < 10; ++n)
+		for (std::uint32_t n = 2; n < 10; ++n) {
 			tangle = joined(tangle, placed(sphere(n, {0, 0, 0}, 1), random, 0.2));
+		}
 		tangle = permuted(tangle, random);
 		const Status expected = found(prepared(tangle, kAway));
 		ASSERT_EQ(expected.code, StatusCode::SelfIntersecting);

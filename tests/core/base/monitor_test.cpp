@@ -81,11 +81,13 @@ TEST(Monitor, progressIsReportedEveryTenMillisecondsAtMost) {
 	Monitor monitor = recording(calls);
 	monitor.beginStage("stage", 0, 1);
 	const auto begin = Clock::now();
-	while (Clock::now() - begin < std::chrono::milliseconds(55))
+	while (Clock::now() - begin < std::chrono::milliseconds(55)) {
 		monitor.report(0.5);
+	}
 	EXPECT_GE(calls.size(), 3U);
-	for (std::size_t i = 1; i < calls.size(); ++i)
+	for (std::size_t i = 1; i < calls.size(); ++i) {
 		EXPECT_GE(calls[i].time - calls[i - 1].time, std::chrono::milliseconds(10));
+	}
 }
 
 TEST(Monitor, cancelStaysAndEndsTheCalls) {

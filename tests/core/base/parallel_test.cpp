@@ -54,12 +54,14 @@ TEST(Parallel, everyItemIsVisitedOnce) {
 				std::vector<std::atomic<int>> visits(n);
 				const Status status = parallelFor(n, grain, threads, monitor,
 				                                  [&](std::size_t begin, std::size_t end) {
-					                                  for (std::size_t i = begin; i < end; ++i)
+					                                  for (std::size_t i = begin; i < end; ++i) {
 						                                  ++visits[i];
+					                                  }
 				                                  });
 				EXPECT_TRUE(status.ok());
-				for (std::size_t i = 0; i < n; ++i)
+				for (std::size_t i = 0; i < n; ++i) {
 					EXPECT_EQ(visits[i], 1) << i << " of " << n << " by " << grain;
+				}
 			}
 		}
 	}
@@ -67,8 +69,9 @@ TEST(Parallel, everyItemIsVisitedOnce) {
 
 TEST(Parallel, chunksDependOnTheGrainOnly) {
 	const std::multiset<Chunk> expected = {{0, 0, 4}, {1, 4, 8}, {2, 8, 10}};
-	for (const int threads : {0, 1, 2, 3, 8})
+	for (const int threads : {0, 1, 2, 3, 8}) {
 		EXPECT_EQ(chunksOf(10, 4, threads), expected) << threads;
+	}
 	EXPECT_EQ(chunkCount(10, 4), 3U);
 	EXPECT_EQ(chunkCount(8, 4), 2U);
 	EXPECT_EQ(chunkCount(0, 4), 0U);
@@ -93,8 +96,9 @@ TEST(Parallel, runningOutOfMemoryBecomesAStatus) {
 		Monitor monitor;
 		const Status status =
 		    parallelFor(100, 1, threads, monitor, [](std::size_t begin, std::size_t) {
-			    if (begin == 40)
+			    if (begin == 40) {
 				    throw std::bad_alloc();
+			    }
 		    });
 		EXPECT_EQ(status.code, StatusCode::OutOfMemory);
 	}
@@ -105,8 +109,9 @@ TEST(Parallel, otherExceptionsBecomeAnInternalError) {
 		Monitor monitor;
 		const Status status =
 		    parallelFor(100, 1, threads, monitor, [](std::size_t begin, std::size_t) {
-			    if (begin == 40)
+			    if (begin == 40) {
 				    throw std::runtime_error("thrown by a test");
+			    }
 		    });
 		EXPECT_EQ(status.code, StatusCode::InternalError);
 	}
@@ -118,10 +123,12 @@ TEST(Parallel, chunksAfterAFailureAreSkipped) {
 		std::size_t last = 0;
 		parallelFor(100, 1, 1, monitor, [&](std::size_t begin, std::size_t) {
 			last = begin;
-			if (begin == 40 && outOfMemory)
+			if (begin == 40 && outOfMemory) {
 				throw std::bad_alloc();
-			if (begin == 40)
+			}
+			if (begin == 40) {
 				throw std::runtime_error("thrown by a test");
+			}
 		});
 		EXPECT_EQ(last, 40U);
 	}
@@ -190,8 +197,9 @@ TEST(Parallel, pollHearsACancelInsideAChunk) {
 	monitor.beginStage("test", 0, 1);
 	int polls = 0;
 	const Status status = parallelFor(1, 1, 0, monitor, [&](std::size_t, std::size_t) {
-		for (; polls < 100 && !pollCancelled(monitor); ++polls)
+		for (; polls < 100 && !pollCancelled(monitor); ++polls) {
 			std::this_thread::sleep_for(std::chrono::milliseconds(6));
+		}
 	});
 	EXPECT_EQ(status.code, StatusCode::Cancelled);
 	EXPECT_LT(polls, 20);
@@ -206,8 +214,9 @@ TEST(Parallel, bodiesComputeInTheDefaultEnvironment) {
 			std::atomic<int> spoilt{0};
 			spoilEnvironmentOfAllThreads(threads);
 			parallelFor(n, 1, threads, monitor, [&spoilt](std::size_t, std::size_t) {
-				if (!environmentIsDefault())
+				if (!environmentIsDefault()) {
 					++spoilt;
+				}
 				std::this_thread::sleep_for(std::chrono::microseconds(200));
 			});
 			EXPECT_FALSE(environmentIsDefault()) << "the host's environment is given back";

@@ -87,10 +87,11 @@ std::size_t unmatchedEdges(const Mesh& mesh, const Key& key) {
 	for (const IndexTriangle& t : mesh.triangles) {
 		for (std::size_t i = 0; i < 3; ++i) {
 			const auto from = key(t[i]), to = key(t[(i + 1) % 3]);
-			if (from < to)
+			if (from < to) {
 				++balance[{from, to}];
-			else if (to < from)
+			} else if (to < from) {
 				--balance[{to, from}];
+			}
 		}
 	}
 	return static_cast<std::size_t>(std::count_if(
@@ -108,8 +109,9 @@ std::size_t unmatchedByPlace(const Mesh& mesh) {
 std::size_t edgesBetweenEqualPlaces(const Mesh& mesh) {
 	std::size_t count = 0;
 	for (const IndexTriangle& t : mesh.triangles) {
-		for (std::size_t i = 0; i < 3; ++i)
+		for (std::size_t i = 0; i < 3; ++i) {
 			count += mesh.points[t[i]] == mesh.points[t[(i + 1) % 3]] ? 1 : 0;
+		}
 	}
 	return count;
 }
@@ -145,8 +147,9 @@ std::vector<std::array<Point, 3>> geometryOf(const Mesh& mesh) {
 
 std::set<std::uint32_t> referencedVertices(const Mesh& mesh) {
 	std::set<std::uint32_t> vertices;
-	for (const IndexTriangle& t : mesh.triangles)
+	for (const IndexTriangle& t : mesh.triangles) {
 		vertices.insert(t.begin(), t.end());
+	}
 	return vertices;
 }
 
@@ -156,11 +159,13 @@ Mesh permuted(const Mesh& mesh, std::mt19937_64& random) {
 	std::iota(place.begin(), place.end(), 0U);
 	std::shuffle(place.begin(), place.end(), random);
 	Mesh other{mesh.points, mesh.triangles};
-	for (std::size_t v = 0; v < place.size(); ++v)
+	for (std::size_t v = 0; v < place.size(); ++v) {
 		other.points[place[v]] = mesh.points[v];
+	}
 	for (IndexTriangle& t : other.triangles) {
-		for (std::uint32_t& corner : t)
+		for (std::uint32_t& corner : t) {
 			corner = place[corner];
+		}
 		std::rotate(t.begin(), t.begin() + static_cast<std::ptrdiff_t>(random() % 3), t.end());
 	}
 	std::shuffle(other.triangles.begin(), other.triangles.end(), random);
@@ -173,12 +178,14 @@ public:
 	explicit BruteForceMerge(const Mesh& mesh) : mesh_(mesh), class_(mesh.points.size()) {
 		std::iota(class_.begin(), class_.end(), 0U);
 		for (const IndexTriangle& t : mesh.triangles) {
-			for (std::size_t i = 0; i < 3; ++i)
+			for (std::size_t i = 0; i < 3; ++i) {
 				uniteAtOnePlace(t[i], t[(i + 1) % 3]);
+			}
 		}
 		takeCollinearFaces();
-		for (bool changed = true; changed;)
+		for (bool changed = true; changed;) {
 			changed = uniteClusters() || uniteInClusters();
+		}
 	}
 
 	std::size_t count() const {
@@ -187,8 +194,9 @@ public:
 
 private:
 	bool uniteAtOnePlace(std::uint32_t u, std::uint32_t v) {
-		if (mesh_.points[u] != mesh_.points[v] || class_[u] == class_[v])
+		if (mesh_.points[u] != mesh_.points[v] || class_[u] == class_[v]) {
 			return false;
+		}
 		std::replace(class_.begin(), class_.end(), std::uint32_t{class_[u]},
 		             std::uint32_t{class_[v]});
 		return true;
@@ -206,15 +214,18 @@ private:
 			std::rotate(c.begin(), std::min_element(c.begin(), c.end()), c.end());
 			const IndexTriangle opposite{c[0], c[2], c[1]};
 			const bool hasEqualCorners = c[0] == c[1] || c[1] == c[2] || c[2] == c[0];
-			if (hasEqualCorners || !isZero(areaVector(mesh_, t)))
+			if (hasEqualCorners || !isZero(areaVector(mesh_, t))) {
 				continue;
-			if (!bySense[opposite].empty())
+			}
+			if (!bySense[opposite].empty()) {
 				bySense[opposite].pop_back();
-			else
+			} else {
 				bySense[c].push_back(t);
+			}
 		}
-		for (const auto& entry : bySense)
+		for (const auto& entry : bySense) {
 			faces_.insert(faces_.end(), entry.second.begin(), entry.second.end());
+		}
 		cluster_.resize(faces_.size());
 		std::iota(cluster_.begin(), cluster_.end(), std::size_t{0});
 	}
@@ -230,8 +241,9 @@ private:
 		bool changed = false;
 		for (std::size_t i = 0; i < faces_.size(); ++i) {
 			for (std::size_t j = 0; j < i; ++j) {
-				if (cluster_[i] == cluster_[j] || !shareEdge(faces_[i], faces_[j]))
+				if (cluster_[i] == cluster_[j] || !shareEdge(faces_[i], faces_[j])) {
 					continue;
+				}
 				std::replace(cluster_.begin(), cluster_.end(), std::size_t{cluster_[i]},
 				             std::size_t{cluster_[j]});
 				changed = true;
@@ -244,8 +256,9 @@ private:
 		bool changed = false;
 		for (std::size_t i = 0; i < faces_.size(); ++i) {
 			for (std::size_t j = 0; j < faces_.size(); ++j) {
-				for (std::size_t k = 0; cluster_[i] == cluster_[j] && k < 9; ++k)
+				for (std::size_t k = 0; cluster_[i] == cluster_[j] && k < 9; ++k) {
 					changed |= uniteAtOnePlace(faces_[i][k / 3], faces_[j][k % 3]);
+				}
 			}
 		}
 		return changed;
@@ -266,11 +279,13 @@ void expectPiecesCoverTheirFaces(const Mesh& before, const Mesh& after, const Cl
 	std::vector<Vector> sum(before.triangles.size(), Vector{0, 0, 0});
 	for (std::size_t i = 0; i < origin.size(); ++i) {
 		const Vector piece = areaVector(after, after.triangles[i]);
-		for (std::size_t k = 0; k < 3; ++k)
+		for (std::size_t k = 0; k < 3; ++k) {
 			sum[origin[i]][k] += piece[k];
+		}
 	}
-	for (std::size_t i = 0; i < sum.size(); ++i)
+	for (std::size_t i = 0; i < sum.size(); ++i) {
 		EXPECT_EQ(sum[i], areaVector(before, before.triangles[i])) << "face " << i;
+	}
 }
 
 void expectOnlyReferencedVerticesAfterRemoval(const Mesh& before, Mesh after,
@@ -278,8 +293,9 @@ void expectOnlyReferencedVerticesAfterRemoval(const Mesh& before, Mesh after,
 	const std::set<std::uint32_t> now = referencedVertices(after);
 	std::vector<std::uint32_t> lost;
 	for (const std::uint32_t vertex : referencedVertices(before)) {
-		if (now.count(vertex) == 0)
+		if (now.count(vertex) == 0) {
 			lost.push_back(vertex);
+		}
 	}
 	EXPECT_EQ(result.unreferenced, lost);
 	const auto geometry = geometryOf(after);
@@ -329,8 +345,9 @@ CleanResult expectCleanable(const Mesh& before) {
 	EXPECT_EQ(unmatchedByIndex(after), 0U);
 	EXPECT_EQ(unmatchedByPlace(after), 0U);
 	EXPECT_EQ(edgesBetweenEqualPlaces(after), 0U);
-	for (const IndexTriangle& t : after.triangles)
+	for (const IndexTriangle& t : after.triangles) {
 		EXPECT_FALSE(isZero(areaVector(after, t)));
+	}
 	EXPECT_EQ(moments(after), moments(before));
 	EXPECT_EQ(result.verticesMerged, BruteForceMerge(before).count());
 	EXPECT_EQ(static_cast<std::ptrdiff_t>(result.zeroAreaFacesRemoved),
@@ -339,8 +356,9 @@ CleanResult expectCleanable(const Mesh& before) {
 	if (oppositeFaces(before) == 0) {
 		EXPECT_EQ(oppositeFaces(after), 0U);
 	}
-	if (result.oppositeFacesRemoved == 0)
+	if (result.oppositeFacesRemoved == 0) {
 		expectPiecesCoverTheirFaces(before, after, result);
+	}
 	expectOnlyReferencedVerticesAfterRemoval(before, after, result);
 	expectTheSameWhenPermuted(before, after, result);
 	return result;
@@ -381,8 +399,9 @@ Mesh roundedSphere(int level, double size, double step) {
 			const auto [entry, isNew] = midpoints.try_emplace(std::minmax(a, b), next);
 			if (isNew) {
 				Point m{};
-				for (std::size_t k = 0; k < 3; ++k)
+				for (std::size_t k = 0; k < 3; ++k) {
 					m[k] = mesh.points[a][k] + mesh.points[b][k];
+				}
 				const double length = std::hypot(m[0], m[1], m[2]);
 				mesh.points.push_back({m[0] / length, m[1] / length, m[2] / length});
 			}
@@ -397,8 +416,9 @@ Mesh roundedSphere(int level, double size, double step) {
 		mesh.triangles = finer;
 	}
 	for (Point& p : mesh.points) {
-		for (double& x : p)
+		for (double& x : p) {
 			x = std::round(x * size / step) * step;
+		}
 	}
 	return mesh;
 }
@@ -408,8 +428,9 @@ void glueVertices(Mesh& mesh, std::size_t pairs, std::mt19937_64& random) {
 	for (std::size_t i = 0; i < pairs; ++i) {
 		const auto keep = static_cast<std::uint32_t>(random() % mesh.points.size());
 		const auto lose = static_cast<std::uint32_t>(random() % mesh.points.size());
-		for (IndexTriangle& t : mesh.triangles)
+		for (IndexTriangle& t : mesh.triangles) {
 			std::replace(t.begin(), t.end(), lose, keep);
+		}
 	}
 	mesh.triangles.erase(std::remove_if(mesh.triangles.begin(), mesh.triangles.end(),
 	                                    [](const IndexTriangle& t) {
@@ -425,8 +446,9 @@ Mesh randomMesh(std::mt19937_64& random) {
 	Mesh mesh = random() % 2 == 0 ? torus(rows, columns) : roundedSphere(1, 1, 1);
 	const std::array<std::uint64_t, 3> range{1 + random() % 5, 1 + random() % 3, 1 + random() % 3};
 	for (Point& p : mesh.points) {
-		for (std::size_t k = 0; k < 3; ++k)
+		for (std::size_t k = 0; k < 3; ++k) {
 			p[k] = static_cast<double>(random() % (range[k] + 1));
+		}
 	}
 	glueVertices(mesh, random() % 4, random);
 	return mesh;
@@ -454,8 +476,9 @@ Mesh tetrahedronWithCaps(std::uint32_t n, bool nested) {
 		mesh.points.push_back({1.0 + i, 0, 0});
 	}
 	row.push_back(1);
-	for (std::size_t i = 0; i + 1 < row.size(); ++i)
+	for (std::size_t i = 0; i + 1 < row.size(); ++i) {
 		mesh.triangles.push_back({row[i], row[i + 1], 3});
+	}
 	for (std::size_t low = 0, high = row.size() - 1; high - low > 1;) {
 		if (nested && (high - low) % 2 == 0) {
 			mesh.triangles.push_back({row[low], row[high], row[low + 1]});
@@ -489,15 +512,17 @@ TEST(ZeroArea, agreesWithIntegersOnRandomTriangles) {
 	for (int i = 0; i < 20000; ++i) {
 		Mesh mesh{Points(3), {{0, 1, 2}}};
 		for (Point& p : mesh.points) {
-			for (double& x : p)
+			for (double& x : p) {
 				x = static_cast<double>(random() % 4);
+			}
 		}
 		const bool expected = isZero(areaVector(mesh, mesh.triangles[0]));
 		for (const int exponent : {0, -1074, 1000, -537, 511}) {
 			std::array<Point, 3> p{mesh.points[0], mesh.points[1], mesh.points[2]};
 			for (Point& corner : p) {
-				for (double& x : corner)
+				for (double& x : corner) {
 					x = std::ldexp(x, exponent);
+				}
 			}
 			ASSERT_EQ(hasZeroArea(p[0], p[1], p[2]), expected) << i << " 2^" << exponent;
 		}
@@ -532,13 +557,15 @@ TEST(ZeroArea, isSeenWhereRoundedDifferencesHideIt) {
 TEST(ZeroArea, isFoundAlikeInRangesListsAndOperands) {
 	Mesh mesh = torus(400, 300);
 	std::mt19937_64 random(7);
-	for (Point& p : mesh.points)
+	for (Point& p : mesh.points) {
 		p = {static_cast<double>(random() % 3), static_cast<double>(random() % 3), 0};
+	}
 	const std::size_t n = mesh.triangles.size();
 	std::vector<std::uint32_t> expected;
 	for (std::size_t i = 0; i < n; ++i) {
-		if (isZero(areaVector(mesh, mesh.triangles[i])))
+		if (isZero(areaVector(mesh, mesh.triangles[i]))) {
 			expected.push_back(static_cast<std::uint32_t>(i));
+		}
 	}
 	Monitor monitor;
 	std::vector<std::uint32_t> all(n), found{1, 2, 3}, upper;
@@ -585,8 +612,9 @@ TEST(Clean, splitsAFaceWithCapsOnAllThreeEdges) {
 		const auto w = static_cast<std::uint32_t>(mesh.points.size());
 		for (int k = 1; k <= 2; ++k) {
 			Point p{};
-			for (std::size_t axis = 0; axis < 3; ++axis)
+			for (std::size_t axis = 0; axis < 3; ++axis) {
 				p[axis] = (mesh.points[u][axis] * (3 - k) + mesh.points[v][axis] * k) / 3;
+			}
 			mesh.points.push_back(p);
 		}
 		mesh.triangles.insert(mesh.triangles.end(), {{v, u, w}, {v, w, w + 1}});
@@ -865,8 +893,9 @@ TEST(Clean, doesNotDependOnScale) {
 		for (const int exponent : {-1074, -500, 600, 1020}) {
 			Mesh mesh = unit;
 			for (Point& p : mesh.points) {
-				for (double& x : p)
+				for (double& x : p) {
 					x = std::ldexp(x, exponent);
+				}
 			}
 			cleaned(mesh);
 			ASSERT_EQ(mesh.triangles, expected.triangles) << "run " << run << " 2^" << exponent;

@@ -22,8 +22,9 @@ BlockMeasure measure(const Mesh& mesh, int threads = 0) {
 
 Mesh mapped(Mesh mesh, double scale, Point offset) {
 	for (Point& p : mesh.points) {
-		for (std::size_t axis = 0; axis < 3; ++axis)
+		for (std::size_t axis = 0; axis < 3; ++axis) {
 			p[axis] = p[axis] * scale + offset[axis];
+		}
 	}
 	return mesh;
 }
@@ -72,8 +73,9 @@ TEST(Measure, volumeIsExactUpToAFewRoundings) {
 		std::mt19937 random(seed);
 		Mesh mesh = shapes::placed(shapes::sphere(200, {0, 0, 0}, 8e6), random, 3e6);
 		for (Point& p : mesh.points) {
-			for (double& x : p)
+			for (double& x : p) {
 				x = std::round(x);
+			}
 		}
 		const double exact = static_cast<double>(sixVolumes(mesh)) / 6;
 		EXPECT_NEAR(measure(mesh).volume / exact, 1, 1e-15);
@@ -83,9 +85,10 @@ TEST(Measure, volumeIsExactUpToAFewRoundings) {
 // The same roundings, over and over in the same direction.
 TEST(Measure, manySmallPartsBesideALargeOneAreNotRoundedAway) {
 	Mesh mesh = shapes::box({-0x1p32, -0x1p32, -0x1p32}, {0x1p32, 0x1p32, 0x1p32});
-	for (int i = 0; i < 600; ++i)
+	for (int i = 0; i < 600; ++i) {
 		mesh = shapes::joined(
 		    mesh, shapes::box({87654321, 7654321, 654321}, {87665432, 7676543, 687654}));
+	}
 	const double exact = static_cast<double>(sixVolumes(mesh)) / 6;
 	EXPECT_NEAR(measure(mesh).volume / exact, 1, 3e-16);
 }
@@ -96,8 +99,9 @@ TEST(Measure, distanceFromTheOriginCostsNothing) {
 	const Mesh sphere = mapped(shapes::sphere(40, {0, 0, 0}, 1), 0x1p12, {0, 0, 0});
 	Mesh rounded = sphere;
 	for (Point& p : rounded.points) {
-		for (double& x : p)
+		for (double& x : p) {
 			x = std::round(x);
+		}
 	}
 	EXPECT_NEAR(measure(mapped(rounded, 1, {0x1p40, 0x1p40, 0x1p40})).volume /
 	                measure(rounded).volume,
@@ -140,8 +144,9 @@ TEST(Measure, componentsAreConnectedByVertices) {
 	EXPECT_EQ(measure(two).components, 2U);
 	EXPECT_EQ(measure(two).volume, 2);
 	for (auto& t : two.triangles) {
-		for (std::uint32_t& v : t)
+		for (std::uint32_t& v : t) {
 			v = v == 8 ? 7 : v;  // (1, 1, 1) of both
+		}
 	}
 	EXPECT_EQ(measure(two).components, 1U);
 	EXPECT_TRUE(measure(two).closed);
@@ -165,8 +170,9 @@ TEST(Measure, openAndConflictingSurfacesAreNotClosed) {
 TEST(Measure, figuresDoNotDependOnTheThreads) {
 	std::mt19937 random(2);
 	Mesh many;
-	for (int i = 0; i < 30; ++i)
+	for (int i = 0; i < 30; ++i) {
 		many = shapes::joined(many, shapes::placed(shapes::sphere(30, {0, 0, 0}, 1), random, 50));
+	}
 	many = shapes::permuted(many, random);
 	const BlockMeasure one = measure(many, 1);
 	EXPECT_EQ(one.components, 30U);

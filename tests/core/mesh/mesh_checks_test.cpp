@@ -20,8 +20,9 @@ using Corners = std::array<std::uint32_t, 3>;
 
 Triangles typed(const IndexTriangles& triangles) {
 	Triangles result;
-	for (const Corners& t : triangles)
+	for (const Corners& t : triangles) {
 		result.push_back({VertexId{t[0]}, VertexId{t[1]}, VertexId{t[2]}});
+	}
 	return result;
 }
 
@@ -86,8 +87,9 @@ TEST(MeshChecks, edgesWithFourFacesAreClosed) {
 	IndexTriangles twoOnOneEdge = kTetrahedron;
 	for (const Corners& t : kTetrahedron) {
 		Corners other{};
-		for (std::size_t i = 0; i < 3; ++i)
+		for (std::size_t i = 0; i < 3; ++i) {
 			other[i] = t[i] < 2 ? t[i] : t[i] + 10;
+		}
 		twoOnOneEdge.push_back(other);
 	}
 	expectClosed(twoOnOneEdge);
@@ -125,8 +127,9 @@ TEST(MeshChecks, bordersComeBeforeConflicts) {
 	EXPECT_EQ(found.firstEdge, (std::array<VertexId, 2>{VertexId{7}, VertexId{8}}));
 	EXPECT_EQ(found.faces, (std::vector<std::uint32_t>{0, 1, 2, 3, 4}));
 	for (Corners& t : both) {
-		for (std::uint32_t& v : t)
+		for (std::uint32_t& v : t) {
 			v = 9 - v;  // now the borders have the smaller vertices
+		}
 	}
 	EXPECT_EQ(unmatched(both).firstEdge, (std::array<VertexId, 2>{VertexId{0}, VertexId{1}}));
 }
@@ -170,8 +173,9 @@ TEST(MeshChecks, checksumAndSearchAgreeWithCounting) {
 TEST(MeshChecks, checksumTellsEdgesApart) {
 	const std::array<std::uint32_t, 6> hexagon = {0, 12, 1, 10, 2, 11};
 	IndexTriangles cone;
-	for (std::size_t i = 0; i < 6; ++i)
+	for (std::size_t i = 0; i < 6; ++i) {
 		cone.push_back({50, hexagon[i], hexagon[(i + 1) % 6]});
+	}
 	EXPECT_NE(checksum(cone), 0U);
 }
 
@@ -180,8 +184,9 @@ TEST(MeshChecks, checksumDependsOnNeitherThreadsNorOrderNorKindOfIndex) {
 	triangles.pop_back();
 	const std::uint64_t sum = checksum(triangles, 1);
 	EXPECT_NE(sum, 0U);
-	for (const int threads : {0, 2, 8})
+	for (const int threads : {0, 2, 8}) {
 		EXPECT_EQ(checksum(triangles, threads), sum);
+	}
 	const Triangles all = typed(triangles);
 	Monitor monitor;
 	std::uint64_t ofTyped = 0;
