@@ -187,9 +187,10 @@ Status readParts(const Arrangement& arrangement, Monitor& monitor, StopWatch& st
 		out.stages.emplace_back(time.stage, time.seconds);
 	}
 	for (std::size_t k = 0; k < 2 && status.ok(); ++k) {
+		const auto operand = makeId<OperandTag>(k);
 		SplitMesh mesh;
-		status = extractSubSurfaces(arrangement, parts, k, monitor, mesh);
-		out.subSurfaces[k] = parts.surfaces.ofOperand[k].size();
+		status = extractSubSurfaces(arrangement, parts, operand, monitor, mesh);
+		out.subSurfaces[k] = parts.surfaces.ofOperand[operand].size();
 	}
 	out.stages.emplace_back("sub-surface meshes", stage.lap());
 	std::vector<SplitMesh> boundaries(parts.blocks.all.size());
@@ -456,12 +457,13 @@ double copySpeed(int threads) {
 	Monitor monitor;
 	for (int run = 0; run < 9; ++run) {
 		StopWatch watch;
-		parallelFor(kBytes, kGrain, threads, monitor, [&](std::size_t begin, std::size_t end) {
-			std::copy(from.begin() + static_cast<std::ptrdiff_t>(begin),
-			          from.begin() + static_cast<std::ptrdiff_t>(end),
-			          to.begin() + static_cast<std::ptrdiff_t>(begin));
-		});
-		seconds.push_back(watch.lap());
+		const Status status =
+		    parallelFor(kBytes, kGrain, threads, monitor, [&](std::size_t begin, std::size_t end) {
+			    std::copy(from.begin() + static_cast<std::ptrdiff_t>(begin),
+			              from.begin() + static_cast<std::ptrdiff_t>(end),
+			              to.begin() + static_cast<std::ptrdiff_t>(begin));
+		    });
+		seconds.push_back(status.ok() ? watch.lap() : 0);
 	}
 	return 2 * static_cast<double>(kBytes) / median(seconds);
 }

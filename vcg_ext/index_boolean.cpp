@@ -111,7 +111,7 @@ Status finishBlock(const Options& options, Monitor& monitor, Block& block) {
 using BlockVolumes = std::array<double, kOperationCount>;
 
 // The largest |law| over the laws whose blocks have all been delivered.
-double largestLawResidual(const std::array<double, 2>& operand, const BlockVolumes& volumes) {
+double largestLawResidual(const PerOperand<double>& operand, const BlockVolumes& volumes) {
 	const auto of = [&volumes](Operation o) { return volumes[static_cast<std::size_t>(o)]; };
 	const double either = of(Operation::Union);
 	const double both = of(Operation::Intersection);
@@ -119,17 +119,20 @@ double largestLawResidual(const std::array<double, 2>& operand, const BlockVolum
 	const double secondOnly = of(Operation::SecondMinusFirst);
 	const double one = of(Operation::SymmetricDifference);
 	const double laws[] = {
-	    either + both - operand[0] - operand[1],  firstOnly + both - operand[0],
-	    secondOnly + both - operand[1],           either - firstOnly - operand[1],
-	    either - secondOnly - operand[0],         one - firstOnly - secondOnly,
-	    one + 2 * both - operand[0] - operand[1],
+	    either + both - operand[kFirst] - operand[kSecond],
+	    firstOnly + both - operand[kFirst],
+	    secondOnly + both - operand[kSecond],
+	    either - firstOnly - operand[kSecond],
+	    either - secondOnly - operand[kFirst],
+	    one - firstOnly - secondOnly,
+	    one + 2 * both - operand[kFirst] - operand[kSecond],
 	};
 	double most = 0;
 	for (const double law : laws) {
 		most = std::fmax(most, std::fabs(law));  // fmax passes over NaN: a block not delivered
 	}
 	// Of volumes beyond the range of double no law tells anything; closedness is what counts then.
-	const double residual = most / (operand[0] + operand[1]);
+	const double residual = most / (operand[kFirst] + operand[kSecond]);
 	return std::isfinite(residual) ? residual : 0;
 }
 
@@ -234,7 +237,7 @@ Status extractCurve(const Arrangement& arrangement, Monitor& monitor, CurveLines
 	});
 }
 
-Status extractSubSurfaces(const Arrangement& arrangement, const Split& split, std::size_t operand,
+Status extractSubSurfaces(const Arrangement& arrangement, const Split& split, OperandId operand,
                           Monitor& monitor, SplitMesh& out) {
 	return guarded([&] {
 		monitor.beginStage("split_meshes", 0, 1);

@@ -69,7 +69,7 @@ Status extractCurve(const Arrangement& arrangement, Monitor& monitor, CurveLines
 
 // The mesh of all sub-surfaces of one operand (0 or 1), and the boundary of one sub-block; see
 // split_meshes.h. \return Ok, Cancelled, OutOfMemory, InternalError
-Status extractSubSurfaces(const Arrangement& arrangement, const Split& split, std::size_t operand,
+Status extractSubSurfaces(const Arrangement& arrangement, const Split& split, OperandId operand,
                           Monitor& monitor, SplitMesh& out);
 Status extractSubBlock(const Arrangement& arrangement, const Split& split, SubBlockId block,
                        Monitor& monitor, SplitMesh& out);

@@ -78,7 +78,7 @@ void write(const Surface& surface, Mesh& mesh, const std::vector<std::uint8_t>& 
 
 template <class Mesh>
 LiveElements read(const Mesh& mesh, const vcg::Matrix44<typename Mesh::ScalarType>& transform,
-                  int operand, MeshArrays& arrays) {
+                  OperandId operand, MeshArrays& arrays) {
 	Monitor monitor;
 	OperandElements elements;
 	EXPECT_TRUE(appendOperand(mesh, transform, operand, monitor, arrays, elements).ok());
@@ -98,7 +98,7 @@ TYPED_TEST(MeshArraysVcg, whatIsWrittenReadsBackUnchanged) {
 	TypeParam mesh;
 	write(surface, mesh);
 	MeshArrays arrays;
-	const LiveElements faces = read(mesh, TestFixture::Matrix::Identity(), 0, arrays);
+	const LiveElements faces = read(mesh, TestFixture::Matrix::Identity(), kFirst, arrays);
 	EXPECT_EQ(arrays.points, surface.points);
 	ASSERT_EQ(arrays.triangles.size(), surface.triangles.size());
 	for (std::size_t i = 0; i < surface.triangles.size(); ++i) {
@@ -119,7 +119,7 @@ TYPED_TEST(MeshArraysVcg, coordinatesAreTheMeshsOwnProductWithTheMatrix) {
 	shift.SetTranslate(typename TypeParam::ScalarType(0.1), 20, -3);
 	matrix = shift * matrix;
 	MeshArrays arrays;
-	read(mesh, matrix, 0, arrays);
+	read(mesh, matrix, kFirst, arrays);
 	for (std::size_t i = 0; i < mesh.vert.size(); ++i) {
 		const typename TypeParam::CoordType expected = matrix * mesh.vert[i].cP();
 		for (int axis = 0; axis < 3; ++axis) {
@@ -134,10 +134,10 @@ TYPED_TEST(MeshArraysVcg, theSecondOperandFollowsTheFirst) {
 	write(tetrahedron(1), first);
 	write(torus(5), second);
 	MeshArrays arrays;
-	read(first, TestFixture::Matrix::Identity(), 0, arrays);
-	read(second, TestFixture::Matrix::Identity(), 1, arrays);
-	EXPECT_EQ(arrays.vertexBegin, (std::array<std::uint32_t, 3>{0, 4, 29}));
-	EXPECT_EQ(arrays.faceBegin, (std::array<std::uint32_t, 3>{0, 4, 54}));
+	read(first, TestFixture::Matrix::Identity(), kFirst, arrays);
+	read(second, TestFixture::Matrix::Identity(), kSecond, arrays);
+	EXPECT_EQ(arrays.vertexOffsets, (OperandOffsets{4, 29}));
+	EXPECT_EQ(arrays.faceOffsets, (OperandOffsets{4, 54}));
 	EXPECT_EQ(arrays.triangles[4][0], VertexId{4});
 }
 
@@ -148,13 +148,13 @@ TYPED_TEST(MeshArraysVcg, countsBeyondTheLimitAreRefusedBeforeAnythingIsRead) {
 	tooManyVertices.vn = std::numeric_limits<int>::max();
 	tooManyFaces.fn = std::numeric_limits<int>::max() - 3;
 	MeshArrays arrays;
-	read(first, TestFixture::Matrix::Identity(), 0, arrays);
+	read(first, TestFixture::Matrix::Identity(), kFirst, arrays);
 	for (const auto& [mesh, count] : {std::pair<const TypeParam*, std::size_t>{&tooManyVertices, 4},
 	                                  std::pair<const TypeParam*, std::size_t>{&tooManyFaces, 1}}) {
 		Monitor monitor;
 		OperandElements elements;
-		const Status status =
-		    appendOperand(*mesh, TestFixture::Matrix::Identity(), 1, monitor, arrays, elements);
+		const Status status = appendOperand(*mesh, TestFixture::Matrix::Identity(), kSecond,
+		                                    monitor, arrays, elements);
 		EXPECT_EQ(status.code, StatusCode::TooLarge);
 		EXPECT_EQ(status.count, (std::size_t{1} << 31) - 1 + count);
 		EXPECT_EQ(arrays.points.size(), 4u);
@@ -172,7 +172,7 @@ TYPED_TEST(MeshArraysVcg, deletedElementsAreLeftOutAndFacesAreFoundAgain) {
 	Allocator::DeleteFace(mesh, mesh.face[1]);
 	Allocator::DeleteVertex(mesh, mesh.vert[1]);
 	MeshArrays arrays;
-	const LiveElements faces = read(mesh, TestFixture::Matrix::Identity(), 0, arrays);
+	const LiveElements faces = read(mesh, TestFixture::Matrix::Identity(), kFirst, arrays);
 	EXPECT_EQ(arrays.points, tetrahedron(1).points);
 	ASSERT_EQ(arrays.triangles.size(), 4u);
 	EXPECT_EQ(arrays.triangles[3], (Triangle{VertexId{1}, VertexId{2}, VertexId{3}}));
@@ -187,7 +187,7 @@ TYPED_TEST(MeshArraysVcg, aCornerThatIsNoLiveVertexHasNoId) {
 	mesh.face[1].V(1) = &other.vert[0];
 	vcg::tri::Allocator<TypeParam>::DeleteVertex(mesh, mesh.vert[3]);
 	MeshArrays arrays;
-	read(mesh, TestFixture::Matrix::Identity(), 0, arrays);
+	read(mesh, TestFixture::Matrix::Identity(), kFirst, arrays);
 	EXPECT_EQ(arrays.triangles[0][0], VertexId::none());
 	EXPECT_EQ(arrays.triangles[1][1], VertexId::none());
 	EXPECT_EQ(arrays.triangles[3][2], VertexId::none());
@@ -249,10 +249,10 @@ TYPED_TEST(MeshArraysVcg, fauxEdgesAreReadAndWritten) {
 	vcg::tri::Allocator<TypeParam>::DeleteFace(quads, quads.face[1]);
 
 	MeshArrays none, first, second;
-	read(plain, TestFixture::Matrix::Identity(), 0, none);
+	read(plain, TestFixture::Matrix::Identity(), kFirst, none);
 	EXPECT_TRUE(none.faux.empty());
-	read(quads, TestFixture::Matrix::Identity(), 0, first);
-	read(plain, TestFixture::Matrix::Identity(), 1, first);
+	read(quads, TestFixture::Matrix::Identity(), kFirst, first);
+	read(plain, TestFixture::Matrix::Identity(), kSecond, first);
 	read(plain, TestFixture::Matrix::Identity(), 0, second);
 	read(quads, TestFixture::Matrix::Identity(), 1, second);
 	faux.erase(faux.begin() + 1);
@@ -272,7 +272,8 @@ TYPED_TEST(MeshArraysVcg, aCancelledMonitorStopsReadingAndWriting) {
 	MeshArrays arrays;
 	OperandElements elements;
 	EXPECT_EQ(
-	    appendOperand(mesh, TestFixture::Matrix::Identity(), 0, monitor, arrays, elements).code,
+	    appendOperand(mesh, TestFixture::Matrix::Identity(), kFirst, monitor, arrays, elements)
+	        .code,
 	    StatusCode::Cancelled);
 	TypeParam other;
 	const std::vector<std::uint8_t> faux;

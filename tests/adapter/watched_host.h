@@ -39,7 +39,7 @@ inline bool hostCallback(const int percent, const char* stage) {
 	return seen.calls != seen.cancelAt;
 }
 
-inline void appendBox(const Point& low, const Point& high, int operand, MeshArrays& out) {
+inline void appendBox(const Point& low, const Point& high, OperandId operand, MeshArrays& out) {
 	const auto first = static_cast<std::uint32_t>(out.points.size());
 	for (unsigned corner = 0; corner < 8; ++corner) {
 		out.points.push_back({(corner & 1 ? high : low)[0], (corner & 2 ? high : low)[1],
@@ -63,10 +63,8 @@ inline void appendBox(const Point& low, const Point& high, int operand, MeshArra
 		out.triangles.push_back(
 		    {VertexId{first + face[0]}, VertexId{first + face[1]}, VertexId{first + face[2]}});
 	}
-	for (auto end = static_cast<std::size_t>(operand) + 1; end < 3; ++end) {
-		out.vertexBegin[end] = static_cast<std::uint32_t>(out.points.size());
-		out.faceBegin[end] = static_cast<std::uint32_t>(out.triangles.size());
-	}
+	out.vertexOffsets.setEnd(operand, out.points.size());
+	out.faceOffsets.setEnd(operand, out.triangles.size());
 }
 
 // Boxes of volume 8 and 3.375 that share a box of volume 0.65625, in general position.

@@ -85,7 +85,7 @@ TEST(Extremes, volumesBeyondTheRangeOfDoubleLeaveTheLawsOfASplitAside) {
 	ASSERT_TRUE(arrangeSurfaces(arrays(a, b), {}, monitor, arrangement).ok());
 	ASSERT_TRUE(split(arrangement, monitor, parts).ok());
 	ASSERT_EQ(parts.blocks.all.size(), 3u);
-	EXPECT_FALSE(std::isfinite(arrangement.volume[0]));
+	EXPECT_FALSE(std::isfinite(arrangement.volume[kFirst]));
 	ASSERT_TRUE(audit(arrangement, parts, {}, monitor, measured).ok());
 	EXPECT_EQ(measured.volumeLawResidual, 0);
 }

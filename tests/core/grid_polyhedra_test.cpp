@@ -268,7 +268,7 @@ TEST(GridPolyhedra, everyDegeneracyOccurs) {
 		census.addOperand(pair.a);
 		census.addOperand(pair.b);
 		census.addContacts(pair, r);
-		census.components += r.arrangement.labels.components[0] > 1 ? 1 : 0;
+		census.components += r.arrangement.labels.components[kFirst] > 1 ? 1 : 0;
 		const grid::CommonWalls walls = grid::commonWalls(pair.a, pair.b);
 		census.sameWalls += walls.sameWay != 0 ? 1 : 0;
 		census.oppositeWalls += walls.oppositeWay != 0 ? 1 : 0;

@@ -189,7 +189,7 @@ inline Mesh permuted(const Mesh& m, std::mt19937& random) {
 
 inline MeshArrays arrays(const Mesh& a, const Mesh& b) {
 	MeshArrays m;
-	std::size_t operand = 0;
+	OperandId operand = kFirst;
 	for (const Mesh* mesh : {&a, &b}) {
 		const auto offset = static_cast<std::uint32_t>(m.points.size());
 		m.points.insert(m.points.end(), mesh->points.begin(), mesh->points.end());
@@ -201,9 +201,9 @@ inline MeshArrays arrays(const Mesh& a, const Mesh& b) {
 			m.faux.insert(m.faux.end(), mesh->faux.begin(), mesh->faux.end());
 			m.faux.resize(m.triangles.size());
 		}
-		++operand;
-		m.vertexBegin[operand] = static_cast<std::uint32_t>(m.points.size());
-		m.faceBegin[operand] = static_cast<std::uint32_t>(m.triangles.size());
+		m.vertexOffsets.setEnd(operand, m.points.size());
+		m.faceOffsets.setEnd(operand, m.triangles.size());
+		operand = otherOf(operand);
 	}
 	return m;
 }

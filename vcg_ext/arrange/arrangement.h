@@ -153,7 +153,7 @@ struct Labels {
 	// the other operand's piece on the same corners, does not. Empty if there is none.
 	static constexpr std::uint8_t kOwnerInUnion = 1, kOwnerInIntersection = 2;
 	std::vector<std::uint8_t> owner;
-	std::array<std::uint32_t, 2> components{};  // vertex-connected components of each operand
+	PerOperand<std::uint32_t> components;  // vertex-connected components of each operand
 };
 
 // One maximal chain of the curve, as consecutive points; the first is repeated at the end of a
@@ -168,8 +168,8 @@ struct Loop {
 
 // Faces of an operand on the same three vertices, which have been dropped.
 struct DuplicateFaces {
-	std::array<std::size_t, 2> cancelledPairs{};  // per operand: pairs of a face and its opposite
-	std::array<std::size_t, 2> takenOnce{};  // per operand: faces equal to another that is kept
+	PerOperand<std::size_t> cancelledPairs;  // per operand: pairs of a face and its opposite
+	PerOperand<std::size_t> takenOnce;       // per operand: faces equal to another that is kept
 };
 
 // Which faces of the operands are one polygon. All arrays are empty if no face has a faux edge.
@@ -187,12 +187,12 @@ struct Arrangement {
 	Polygons polygons;
 	std::vector<std::uint32_t> faceGiven;  // per face: its index in the operand as given; see below
 	std::vector<VertexId> nonManifold;     // at which an operand is no manifold; ascending
-	std::array<bool, 2> seams{};           // vertices of the operand in one place have become one
-	std::array<bool, 2> closed{};          // each edge of the operand has as many faces each way
-	std::array<bool, 2> turned{};  // the operand is closed and was given inside out; for blocks it
-	                               // has been turned
+	PerOperand<bool> seams;                // vertices of the operand in one place have become one
+	PerOperand<bool> closed;               // each edge of the operand has as many faces each way
+	PerOperand<bool> turned;  // the operand is closed and was given inside out; for blocks it
+	                          // has been turned
 	DuplicateFaces duplicates;
-	std::array<double, 2> volume{};  // of each operand that is closed
+	PerOperand<double> volume;  // of each operand that is closed
 	Curve curve;
 	Refinement refinement;
 	std::vector<Loop> loops;
@@ -203,7 +203,7 @@ struct Arrangement {
 	// The index of a face in its operand's triangles as given. faceGiven is empty while no face has
 	// been dropped or split.
 	std::uint32_t givenFace(FaceId f) const {
-		return faceGiven.empty() ? f.value - (mesh.operandOf(f) == 0 ? 0 : mesh.faceBegin[1])
+		return faceGiven.empty() ? f.value - mesh.faceOffsets.begin(mesh.operandOf(f))
 		                         : at(faceGiven, f);
 	}
 	VertexId vertexOf(PointId p) const {

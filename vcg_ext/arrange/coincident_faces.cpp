@@ -91,9 +91,11 @@ public:
 private:
 	std::vector<std::uint32_t> facesOnCommonVertices() const {
 		std::vector<std::uint32_t> faces;
-		for (std::uint32_t f = mesh_.faceBegin[1]; f < mesh_.faceBegin[2]; ++f) {
+		for (std::uint32_t f = mesh_.faceOffsets.begin(kSecond); f < mesh_.faceOffsets.total();
+		     ++f) {
 			const Triangle& t = mesh_.triangles[f];
-			if (std::max({t[0].value, t[1].value, t[2].value}) < mesh_.vertexBegin[1]) {
+			if (std::max({t[0].value, t[1].value, t[2].value}) <
+			    mesh_.vertexOffsets.begin(kSecond)) {
 				faces.push_back(f);
 			}
 		}
@@ -104,14 +106,16 @@ private:
 	// nothing is quiet.
 	Status findTwins(const FaceTable& table) {
 		mesh_.quietFaces.assign(mesh_.triangles.size(), Twin::None);
-		std::vector<std::atomic<std::uint8_t>> taken(mesh_.faceBegin[2] - mesh_.faceBegin[1]);
+		std::vector<std::atomic<std::uint8_t>> taken(mesh_.faceOffsets.total() -
+		                                             mesh_.faceOffsets.begin(kSecond));
 		return parallelFor(
-		    mesh_.faceBegin[1], kGrain, threads_, monitor_,
+		    mesh_.faceOffsets.begin(kSecond), kGrain, threads_, monitor_,
 		    [&](std::size_t begin, std::size_t end) {
 			    for (std::size_t f = begin; f < end; ++f) {
 				    const FaceKey key = keyOf(mesh_.triangles[f]);
 				    const std::uint32_t other = table.faceOn(key);
-				    if (other != kEmpty && taken[other - mesh_.faceBegin[1]].exchange(1) == 0) {
+				    if (other != kEmpty &&
+				        taken[other - mesh_.faceOffsets.begin(kSecond)].exchange(1) == 0) {
 					    const bool same = keyOf(mesh_.triangles[other]).ascending == key.ascending;
 					    mesh_.quietFaces[f] = same ? Twin::SameWay : Twin::Opposite;
 					    mesh_.quietFaces[other] = mesh_.quietFaces[f];

@@ -175,7 +175,7 @@ bool LineCutter::sortAlongEdge(const CutEdge& edge, VertexId* points) const {
 
 // Two points of contact in one place: faces of the other operand meet there without a common edge.
 Status LineCutter::refuseCoincidentPoints(const CutEdge& edge) const {
-	int operand = -1;
+	OperandId operand = OperandId::none();
 	std::vector<FaceId> faces;
 	for (const NamedContact& contact : contacts_.pairs) {
 		for (const FaceId face : {contact.a, contact.b}) {

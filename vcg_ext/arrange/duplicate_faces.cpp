@@ -92,8 +92,9 @@ struct Duplicates {
 };
 
 // Faces that may be duplicates, by corners, then by index.
-std::vector<SortedFace> suspects(const MeshArrays& mesh, std::size_t operand, Monitor& monitor) {
-	const std::uint32_t begin = mesh.faceBegin[operand], end = mesh.faceBegin[operand + 1];
+std::vector<SortedFace> suspects(const MeshArrays& mesh, OperandId operand, Monitor& monitor) {
+	const std::uint32_t begin = mesh.faceOffsets.begin(operand),
+	                    end = mesh.faceOffsets.end(operand);
 	FaceFilter filter(end - begin);
 	std::vector<std::uint32_t> repeated;
 	for (std::uint32_t face = begin; face < end; ++face) {
@@ -159,7 +160,7 @@ void takeOnce(const MeshArrays& mesh, const SortedFace* begin, const SortedFace*
 
 // Calls judgeFaces(begin, end, out) for all faces of an operand on the same corners.
 template <class JudgeFaces>
-void findDuplicates(const MeshArrays& mesh, std::size_t operand, Monitor& monitor,
+void findDuplicates(const MeshArrays& mesh, OperandId operand, Monitor& monitor,
                     JudgeFaces&& judgeFaces, Duplicates& out) {
 	const std::vector<SortedFace> faces = suspects(mesh, operand, monitor);
 	for (std::size_t first = 0, next = 0; first < faces.size(); first = next) {
@@ -175,11 +176,12 @@ void findDuplicates(const MeshArrays& mesh, std::size_t operand, Monitor& monito
 // The same for both operands, each on a thread.
 template <class JudgeFaces>
 Status findAllDuplicates(const Arrangement& arrangement, Monitor& monitor, JudgeFaces&& judgeFaces,
-                         std::array<Duplicates, 2>& out) {
+                         PerOperand<Duplicates>& out) {
 	const MeshArrays& mesh = arrangement.mesh;
 	const int threads = threadsForHalves(mesh.triangles.size(), arrangement.options.threads);
-	return parallelFor(2, 1, threads, monitor, [&](std::size_t begin, std::size_t end) {
-		for (std::size_t operand = begin; operand < end; ++operand) {
+	return parallelFor(out.size(), 1, threads, monitor, [&](std::size_t begin, std::size_t end) {
+		for (std::size_t k = begin; k < end; ++k) {
+			const auto operand = makeId<OperandTag>(k);
 			findDuplicates(mesh, operand, monitor, judgeFaces, out[operand]);
 		}
 	});
@@ -187,7 +189,7 @@ Status findAllDuplicates(const Arrangement& arrangement, Monitor& monitor, Judge
 
 // Equal faces without which the operand is open: the winding numbers on their two sides differ by
 // two or more, so the operand overlaps itself on one of them.
-Status refuse(const Arrangement& arrangement, std::size_t operand, const Duplicates& duplicates) {
+Status refuse(const Arrangement& arrangement, OperandId operand, const Duplicates& duplicates) {
 	const MeshArrays& mesh = arrangement.mesh;
 	const std::uint32_t first = duplicates.firsts.front();
 	std::vector<FaceId> faces;
@@ -196,13 +198,12 @@ Status refuse(const Arrangement& arrangement, std::size_t operand, const Duplica
 			faces.push_back({face});
 		}
 	}
-	return selfIntersecting(arrangement, static_cast<int>(operand), faces,
-	                        at(mesh.points, mesh.triangles[first][0]));
+	return selfIntersecting(arrangement, operand, faces, at(mesh.points, mesh.triangles[first][0]));
 }
 
 // Decides whether the repeated faces of an operand go, stay because the operand is open anyway, or
 // mean that it overlaps itself. Cancelling faces make no difference to closedness.
-Status judgeRepeated(const Arrangement& arrangement, std::size_t operand, Monitor& monitor,
+Status judgeRepeated(const Arrangement& arrangement, OperandId operand, Monitor& monitor,
                      Duplicates& duplicates) {
 	if (duplicates.repeated.empty()) {
 		return {};
@@ -216,8 +217,8 @@ Status judgeRepeated(const Arrangement& arrangement, std::size_t operand, Monito
 	std::uint64_t all = 0, ofRepeated = 0;
 	const int threads = arrangement.options.threads;
 	Status status =
-	    boundaryChecksum(triangles + mesh.faceBegin[operand],
-	                     triangles + mesh.faceBegin[operand + 1], threads, monitor, all);
+	    boundaryChecksum(triangles + mesh.faceOffsets.begin(operand),
+	                     triangles + mesh.faceOffsets.end(operand), threads, monitor, all);
 	if (status.ok()) {
 		status = boundaryChecksum(repeated.data(), repeated.data() + repeated.size(), threads,
 		                          monitor, ofRepeated);
@@ -238,7 +239,7 @@ void drop(const std::vector<std::uint32_t>& faces, Arrangement& arrangement) {
 	std::vector<std::uint32_t> given;
 	given.reserve(mesh.triangles.size() - faces.size());
 	auto dropped = faces.begin();
-	std::array<std::uint32_t, 3> faceBegin{};
+	OperandOffsets offsets(mesh.operands().count());
 	for (std::uint32_t face = 0; face < mesh.triangles.size(); ++face) {
 		if (dropped != faces.end() && *dropped == face) {
 			++dropped;
@@ -249,12 +250,11 @@ void drop(const std::vector<std::uint32_t>& faces, Arrangement& arrangement) {
 			mesh.faux[given.size()] = mesh.faux[face];
 		}
 		given.push_back(arrangement.givenFace({face}));
-		faceBegin[2] = static_cast<std::uint32_t>(given.size());
-		faceBegin[1] = mesh.operandOf({face}) == 0 ? faceBegin[2] : faceBegin[1];
+		offsets.setEnd(mesh.operandOf({face}), given.size());
 	}
 	mesh.triangles.resize(given.size());
 	mesh.faux.resize(mesh.faux.empty() ? 0 : given.size());
-	mesh.faceBegin = faceBegin;
+	mesh.faceOffsets = std::move(offsets);
 	arrangement.faceGiven = std::move(given);
 }
 
@@ -262,22 +262,24 @@ void drop(const std::vector<std::uint32_t>& faces, Arrangement& arrangement) {
 
 Status removeDuplicateFaces(Arrangement& arrangement, Monitor& monitor) {
 	const MeshArrays& mesh = arrangement.mesh;
-	std::array<Duplicates, 2> found;
-	Status status = findAllDuplicates(arrangement, monitor, judge, found);
+	PerOperand<Duplicates> found(mesh.operands().count());
 	std::vector<std::uint32_t> faces;
-	for (std::size_t operand = 0; operand < 2 && status.ok(); ++operand) {
-		status = judgeRepeated(arrangement, operand, monitor, found[operand]);
+	const auto judgeOperand = [&](OperandId operand) {
+		const Status status = judgeRepeated(arrangement, operand, monitor, found[operand]);
 		std::vector<std::uint32_t>& cancelling = found[operand].cancelling;
 		const std::vector<std::uint32_t>& repeated = found[operand].repeated;
-		const std::size_t count = mesh.faceBegin[operand + 1] - mesh.faceBegin[operand];
-		if (cancelling.size() == count) {
+		if (cancelling.size() == mesh.faceOffsets.size(operand)) {
 			cancelling.clear();
 		}
 		arrangement.duplicates.cancelledPairs[operand] = cancelling.size() / 2;
 		arrangement.duplicates.takenOnce[operand] = repeated.size();
 		faces.insert(faces.end(), cancelling.begin(), cancelling.end());
 		faces.insert(faces.end(), repeated.begin(), repeated.end());
-	}
+		return status;
+	};
+	const Status status =
+	    inOrder([&] { return findAllDuplicates(arrangement, monitor, judge, found); },
+	            [&] { return forEachOperand(mesh.operands(), judgeOperand); });
 	if (status.ok() && !faces.empty()) {
 		std::sort(faces.begin(), faces.end());
 		drop(faces, arrangement);
@@ -289,10 +291,13 @@ Status takeDuplicateFacesOnce(Arrangement& arrangement, Monitor& monitor) {
 	const MeshArrays& mesh = arrangement.mesh;
 	const auto judgeFaces = [&mesh](const SortedFace* begin, const SortedFace* end,
 	                                Duplicates& out) { takeOnce(mesh, begin, end, out); };
-	std::array<Duplicates, 2> found;
+	PerOperand<Duplicates> found(mesh.operands().count());
 	const Status status = findAllDuplicates(arrangement, monitor, judgeFaces, found);
 	std::vector<std::uint32_t> faces;
-	for (std::size_t operand = 0; operand < 2 && status.ok(); ++operand) {
+	if (!status.ok()) {
+		return status;
+	}
+	for (const OperandId operand : mesh.operands()) {
 		const std::vector<std::uint32_t>& repeated = found[operand].repeated;
 		arrangement.duplicates.takenOnce[operand] = repeated.size();
 		faces.insert(faces.end(), repeated.begin(), repeated.end());

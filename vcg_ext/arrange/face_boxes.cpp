@@ -147,8 +147,8 @@ public:
 
 	// Calls visit(chunk, box) for the boxes of an operand's faces that reach the common box.
 	template <class Visit>
-	Status forEachBox(std::size_t operand, Visit visit) const {
-		const std::size_t first = mesh_.faceBegin[operand];
+	Status forEachBox(OperandId operand, Visit visit) const {
+		const std::size_t first = mesh_.faceOffsets.begin(operand);
 		return parallelForChunks(faceCount(operand), kGrain, threads_, monitor_,
 		                         [&](std::size_t chunk, std::size_t begin, std::size_t end) {
 			                         for (std::size_t f = first + begin; f < first + end; ++f) {
@@ -160,7 +160,7 @@ public:
 
 	// Lists the boxes for which keep(box) answers true.
 	template <class Keep>
-	Status collectBoxes(std::size_t operand, Keep keep, HugeVector<FaceBox>& out) const {
+	Status collectBoxes(OperandId operand, Keep keep, HugeVector<FaceBox>& out) const {
 		std::vector<HugeVector<FaceBox>> parts(chunkCount(faceCount(operand), kGrain));
 		const Status status = forEachBox(operand, [&](std::size_t chunk, const FaceBox& box) {
 			if (keep(box)) {
@@ -178,9 +178,7 @@ public:
 		return status;
 	}
 
-	std::size_t faceCount(std::size_t operand) const {
-		return mesh_.faceBegin[operand + 1] - mesh_.faceBegin[operand];
-	}
+	std::size_t faceCount(OperandId operand) const { return mesh_.faceOffsets.size(operand); }
 
 private:
 	template <class Visit>
@@ -214,13 +212,13 @@ private:
 // against the cells of the larger one's faces that are left.
 Status collectNearBoxes(const FrameMesh& faces, FaceBoxes& out) {
 	constexpr std::size_t kFew = 2048;  // faces, below which clearing the grids costs more
-	if (faces.faceCount(0) + faces.faceCount(1) < kFew) {
+	if (faces.faceCount(kFirst) + faces.faceCount(kSecond) < kFew) {
 		const auto keepAll = [](const FaceBox&) { return true; };
-		const Status status = faces.collectBoxes(0, keepAll, out.operand[0]);
-		return status.ok() ? faces.collectBoxes(1, keepAll, out.operand[1]) : status;
+		const Status status = faces.collectBoxes(kFirst, keepAll, out.operand[kFirst]);
+		return status.ok() ? faces.collectBoxes(kSecond, keepAll, out.operand[kSecond]) : status;
 	}
-	const std::size_t small = faces.faceCount(0) <= faces.faceCount(1) ? 0 : 1;
-	const std::size_t large = 1 - small;
+	const OperandId small = faces.faceCount(kFirst) <= faces.faceCount(kSecond) ? kFirst : kSecond;
+	const OperandId large = otherOf(small);
 	CellGrid ofSmall(out.halfSize);
 	CellGrid ofLarge(out.halfSize);
 	Status status =
@@ -248,14 +246,16 @@ Status collectNearBoxes(const FrameMesh& faces, FaceBoxes& out) {
 Status collectFaceBoxes(const MeshArrays& mesh, int threads, Monitor& monitor, FaceBoxes& out) {
 	out = {};
 	Status status;
-	std::array<BoundingBox, 2> boxes{};
-	for (std::size_t k = 0; k < 2 && status.ok(); ++k) {
-		status = findBoundingBox(mesh.points.data() + mesh.vertexBegin[k],
-		                         mesh.vertexBegin[k + 1] - mesh.vertexBegin[k], threads, monitor,
-		                         boxes[k]);
+	PerOperand<BoundingBox> boxes;
+	for (const OperandId k : boxes.operands()) {
+		status = findBoundingBox(mesh.points.data() + mesh.vertexOffsets.begin(k),
+		                         mesh.vertexOffsets.size(k), threads, monitor, boxes[k]);
+		if (!status.ok()) {
+			return status;
+		}
 	}
-	const BoundingBox common = commonBox(boxes[0], boxes[1]);
-	if (!status.ok() || common.empty()) {
+	const BoundingBox common = commonBox(boxes[kFirst], boxes[kSecond]);
+	if (common.empty()) {
 		return status;
 	}
 	const Frame frame = makeFrame(common);

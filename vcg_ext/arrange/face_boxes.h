@@ -21,7 +21,7 @@ struct FaceBox {
 
 // The boxes of each operand in the order of the faces, in a cube from -halfSize to halfSize.
 struct FaceBoxes {
-	std::array<HugeVector<FaceBox>, 2> operand;
+	PerOperand<HugeVector<FaceBox>> operand;
 	float halfSize = 1;  // a power of two
 };
 

@@ -13,7 +13,8 @@ namespace index_boolean {
 
 // A face of an operand, by its number as given.
 struct GivenFace {
-	std::uint32_t operand : 1, index : 31;
+	OperandId operand;
+	std::uint32_t index;
 
 	friend bool operator==(GivenFace a, GivenFace b) {
 		return a.operand == b.operand && a.index == b.index;
@@ -26,8 +27,7 @@ using GivenTriangles = std::function<Triangle(GivenFace)>;
 
 // The given face that an arrangement's face is or is a piece of.
 inline GivenFace givenFaceOf(const Arrangement& arrangement, FaceId face) {
-	return {static_cast<std::uint32_t>(arrangement.mesh.operandOf(face)) & 1U,
-	        arrangement.givenFace(face) & 0x7fffffffU};
+	return {arrangement.mesh.operandOf(face), arrangement.givenFace(face)};
 }
 
 }  // namespace index_boolean

@@ -23,14 +23,14 @@ struct FauxEdges {
 
 // An edge with more than two faces has ends at which the operand is no manifold, and so has one at
 // a border: between such vertices, all half-edges are looked at.
-FauxEdges pairFauxEdges(const Arrangement& arrangement, std::size_t operand) {
+FauxEdges pairFauxEdges(const Arrangement& arrangement, OperandId operand) {
 	const MeshArrays& mesh = arrangement.mesh;
 	const std::vector<VertexId>& nonManifold = arrangement.nonManifold;
 	const auto isOdd = [&](VertexId v) {
 		return std::binary_search(nonManifold.begin(), nonManifold.end(), v);
 	};
 	std::vector<HalfEdge> halfEdges;
-	for (std::size_t f = mesh.faceBegin[operand]; f < mesh.faceBegin[operand + 1]; ++f) {
+	for (std::size_t f = mesh.faceOffsets.begin(operand); f < mesh.faceOffsets.end(operand); ++f) {
 		for (std::size_t i = 0; (mesh.faux[f] != 0 || !nonManifold.empty()) && i < 3; ++i) {
 			const VertexId from = mesh.triangles[f][i];
 			const VertexId to = mesh.triangles[f][(i + 1) % 3];
@@ -80,11 +80,12 @@ Status joinPolygons(Arrangement& arrangement, Monitor& monitor) {
 	if (mesh.faux.empty()) {
 		return {};
 	}
-	std::array<FauxEdges, 2> found;
+	PerOperand<FauxEdges> found(mesh.operands().count());
 	const int halves = threadsForHalves(mesh.triangles.size(), arrangement.options.threads);
 	const Status status =
-	    parallelFor(2, 1, halves, monitor, [&](std::size_t begin, std::size_t end) {
-		    for (std::size_t operand = begin; operand < end; ++operand) {
+	    parallelFor(found.size(), 1, halves, monitor, [&](std::size_t begin, std::size_t end) {
+		    for (std::size_t k = begin; k < end; ++k) {
+			    const auto operand = makeId<OperandTag>(k);
 			    found[operand] = pairFauxEdges(arrangement, operand);
 		    }
 	    });

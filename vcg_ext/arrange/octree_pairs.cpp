@@ -130,14 +130,17 @@ public:
 	// Counts the boxes of all children. \return false if splitting does not help
 	bool count(const Node& node) { return countIn(node, node.size(), nullptr); }
 
-	// The same by all threads. Once cancelled, what follows is of no use.
+	// The same by all threads. Where that fails, nothing that follows is of use; see status().
 	bool countTogether(const Node& node, const Workers& workers) {
-		return countIn(node, kChunk, &workers);
+		return countIn(node, kChunk, &workers) && status_.ok();
 	}
 
 	// Writes the boxes of the living children to `buffer` and appends the children to `out`, by
 	// all threads if they have been counted so.
 	void distribute(const Node& node, BoxBuffer& buffer, std::vector<Node>& out);
+
+	// Ok, or how the work of all threads ended: Cancelled, OutOfMemory, InternalError.
+	const Status& status() const { return status_; }
 
 private:
 	static constexpr std::size_t kChunk = 1 << 15;
@@ -147,15 +150,16 @@ private:
 
 	// Calls body(chunk, begin, end) for all chunks of n boxes.
 	template <class Body>
-	void forEachChunk(std::size_t n, Body&& body) const {
+	void forEachChunk(std::size_t n, Body&& body) {
 		if (workers_ == nullptr) {
 			body(std::size_t{0}, std::size_t{0}, n);
-		} else {
-			parallelForChunks(n, grain_, workers_->threads, workers_->monitor, body);
+		} else if (status_.ok()) {
+			status_ = parallelForChunks(n, grain_, workers_->threads, workers_->monitor, body);
 		}
 	}
 
 	const Workers* workers_ = nullptr;
+	Status status_;
 	std::size_t grain_ = 0;
 	std::array<std::vector<ChildSet>, 2> sets_;      // for each box
 	std::array<std::vector<ChildCounts>, 2> parts_;  // for each chunk of boxes
@@ -441,8 +445,11 @@ Status expand(const Options& options, Monitor& monitor, Frontier& frontier) {
 		const Node& node = frontier.nodes[i];
 		Split split;
 		if (node.size() >= kLargeNode && !isLeaf(node, options) &&
-		    split.countTogether(node, workers) && !monitor.cancelled()) {
+		    split.countTogether(node, workers)) {
 			expansions[i].split(node, split);
+		}
+		if (!split.status().ok()) {
+			return split.status();
 		}
 	}
 	const Status status = parallelForChunks(
@@ -556,12 +563,12 @@ Status findPairsUnguarded(const MeshArrays& mesh, const Options& options, Monito
                           std::vector<FacePair>& out) {
 	FaceBoxes boxes;
 	Status status = collectFaceBoxes(mesh, options.threads, monitor, boxes);
-	if (!status.ok() || boxes.operand[0].empty() || boxes.operand[1].empty()) {
+	if (!status.ok() || boxes.operand[kFirst].empty() || boxes.operand[kSecond].empty()) {
 		return status;
 	}
 	Frontier frontier;
-	status = makeFrontier(makeRoot(boxes.operand[0], boxes.operand[1], boxes.halfSize), options,
-	                      monitor, frontier);
+	status = makeFrontier(makeRoot(boxes.operand[kFirst], boxes.operand[kSecond], boxes.halfSize),
+	                      options, monitor, frontier);
 	if (!status.ok()) {
 		return status;
 	}
@@ -569,7 +576,7 @@ Status findPairsUnguarded(const MeshArrays& mesh, const Options& options, Monito
 	status = descend(frontier, options, monitor,
 	                 [&](std::size_t i) { return PlaneSieve(mesh, parts[i]); });
 	if (status.ok()) {
-		sortPairs(parts, mesh.faceBegin[1], out);
+		sortPairs(parts, mesh.faceOffsets.begin(kSecond), out);
 	}
 	return status;
 }

@@ -23,10 +23,10 @@ namespace {
 
 constexpr std::size_t kGrain = 1 << 15;
 
-Status failure(StatusCode code, int operand, std::size_t count) {
+Status failure(StatusCode code, OperandId operand, std::size_t count) {
 	Status status;
 	status.code = code;
-	status.operand = operand;
+	status.operand = numberOf(operand);
 	status.count = count;
 	return status;
 }
@@ -36,10 +36,9 @@ Status checkSizes(const MeshArrays& mesh) {
 	if (!status.ok()) {
 		return status;
 	}
-	for (int k = 0; k < 2; ++k) {
-		const auto operand = static_cast<std::size_t>(k);
-		if (mesh.faceBegin[operand] == mesh.faceBegin[operand + 1]) {
-			return failure(StatusCode::EmptyOperand, k, 0);
+	for (const OperandId operand : mesh.operands()) {
+		if (mesh.faceOffsets.size(operand) == 0) {
+			return failure(StatusCode::EmptyOperand, operand, 0);
 		}
 	}
 	return {};
@@ -54,9 +53,9 @@ double largestCoordinate(OutputScalar scalar) {
 }
 
 bool cornersExist(const MeshArrays& mesh, std::size_t face) {
-	const auto operand = static_cast<std::size_t>(mesh.operandOf(makeId<FaceTag>(face)));
-	const std::uint32_t begin = mesh.vertexBegin[operand];
-	const std::uint32_t end = mesh.vertexBegin[operand + 1];
+	const OperandId operand = mesh.operandOf(makeId<FaceTag>(face));
+	const std::uint32_t begin = mesh.vertexOffsets.begin(operand);
+	const std::uint32_t end = mesh.vertexOffsets.end(operand);
 	const auto exists = [=](VertexId v) { return v.value >= begin && v.value < end; };
 	const Triangle& t = mesh.triangles[face];
 	return exists(t[0]) && exists(t[1]) && exists(t[2]);
@@ -80,13 +79,13 @@ Status refuseCorners(const Arrangement& arrangement, StatusCode code) {
 	const OutputScalar scalar = arrangement.options.outputScalar;
 	Status status;
 	for (std::size_t face = 0; face < mesh.triangles.size(); ++face) {
-		const int operand = mesh.operandOf(makeId<FaceTag>(face));
+		const OperandId operand = mesh.operandOf(makeId<FaceTag>(face));
 		if (cornerDefect(mesh, face, scalar) == code &&
-		    (status.ok() || status.operand == operand)) {
+		    (status.ok() || status.operand == numberOf(operand))) {
 			status.code = code;
-			status.operand = operand;
-			status.faces.push_back(static_cast<std::uint32_t>(
-			    face - mesh.faceBegin[static_cast<std::size_t>(operand)]));
+			status.operand = numberOf(operand);
+			status.faces.push_back(
+			    static_cast<std::uint32_t>(face - mesh.faceOffsets.begin(operand)));
 		}
 	}
 	status.count = status.faces.size();
@@ -141,10 +140,10 @@ Status dropCollapsedFaces(Arrangement& arrangement) {
 	MeshArrays& mesh = arrangement.mesh;
 	std::size_t kept = 0;
 	std::vector<std::uint32_t> given;
-	for (std::size_t operand = 0; operand < 2; ++operand) {
-		const std::uint32_t begin = operand == 0 ? 0 : mesh.faceBegin[operand];
-		const std::uint32_t end = mesh.faceBegin[operand + 1];
-		const std::size_t keptBegin = kept;
+	OperandOffsets offsets(mesh.operands().count());
+	for (const OperandId operand : mesh.operands()) {
+		const std::uint32_t begin = mesh.faceOffsets.begin(operand);
+		const std::uint32_t end = mesh.faceOffsets.end(operand);
 		for (std::uint32_t face = begin; face < end; ++face) {
 			if (!hasEqualCorners(mesh.triangles[face])) {
 				mesh.triangles[kept] = mesh.triangles[face];
@@ -155,11 +154,9 @@ Status dropCollapsedFaces(Arrangement& arrangement) {
 				given.push_back(face - begin);
 			}
 		}
-		if (operand == 1) {
-			mesh.faceBegin = {0, static_cast<std::uint32_t>(keptBegin),
-			                  static_cast<std::uint32_t>(kept)};
-		}
+		offsets.setEnd(operand, kept);
 	}
+	mesh.faceOffsets = std::move(offsets);
 	mesh.triangles.resize(kept);
 	mesh.faux.resize(mesh.faux.empty() ? 0 : kept);
 	arrangement.faceGiven = std::move(given);
@@ -190,38 +187,41 @@ std::uint8_t pieceFaux(const MeshArrays& mesh, std::uint32_t whole, const IndexT
 	return static_cast<std::uint8_t>(mask);
 }
 
-// Takes the faux edges of one operand over to the faces that replace its faces, if there are any.
-// \param before for each new face, the face of the arrays that it is or is a piece of
-void replaceFaux(MeshArrays& mesh, std::size_t operand, const IndexTriangles& faces,
-                 const std::vector<std::uint32_t>& before) {
-	if (mesh.faux.empty()) {
-		return;
+// The faces of all operands, one after another, as they replace those of the arrays.
+struct NewFaces {
+	Triangles triangles;
+	std::vector<std::uint32_t> given;
+	std::vector<std::uint8_t> faux;  // if the arrays have any
+	OperandOffsets offsets;
+};
+
+// Takes an operand as it is.
+void keepOperand(const Arrangement& arrangement, OperandId operand, NewFaces& out) {
+	const MeshArrays& mesh = arrangement.mesh;
+	const std::uint32_t begin = mesh.faceOffsets.begin(operand);
+	const std::uint32_t end = mesh.faceOffsets.end(operand);
+	out.triangles.insert(out.triangles.end(), mesh.triangles.begin() + begin,
+	                     mesh.triangles.begin() + end);
+	for (std::uint32_t face = begin; face < end; ++face) {
+		out.given.push_back(arrangement.givenFace({face}));
 	}
-	const auto begin = mesh.faux.begin();
-	std::vector<std::uint8_t> faux(begin, begin + mesh.faceBegin[operand]);
-	for (std::size_t f = 0; f < faces.size(); ++f) {
-		const Triangle& t = mesh.triangles[before[f]];
-		const bool isWhole = faces[f] == IndexTriangle{t[0].value, t[1].value, t[2].value};
-		faux.push_back(isWhole ? mesh.faux[before[f]] : pieceFaux(mesh, before[f], faces[f]));
+	if (!mesh.faux.empty()) {
+		out.faux.insert(out.faux.end(), mesh.faux.begin() + begin, mesh.faux.begin() + end);
 	}
-	faux.insert(faux.end(), begin + mesh.faceBegin[operand + 1], mesh.faux.end());
-	mesh.faux = std::move(faux);
 }
 
 // Splits the zero-area faces of one operand away across their longest edges: a face of three
 // collinear corners cannot be dropped without opening the surface.
-Status cleanOperand(Arrangement& arrangement, std::size_t operand, Monitor& monitor) {
-	MeshArrays& mesh = arrangement.mesh;
+Status cleanOperand(const Arrangement& arrangement, OperandId operand, Monitor& monitor,
+                    NewFaces& out) {
+	const MeshArrays& mesh = arrangement.mesh;
 	const int threads = arrangement.options.threads;
-	const std::uint32_t begin = mesh.faceBegin[operand];
-	const std::uint32_t end = mesh.faceBegin[operand + 1];
 	IndexTriangles triangles;
-	std::vector<std::uint32_t> given;
 	std::vector<std::uint32_t> before;  // the face that each is or is a piece of
-	for (std::uint32_t face = begin; face < end; ++face) {
+	for (std::uint32_t face = mesh.faceOffsets.begin(operand); face < mesh.faceOffsets.end(operand);
+	     ++face) {
 		const Triangle& t = mesh.triangles[face];
 		triangles.push_back({t[0].value, t[1].value, t[2].value});
-		given.push_back(arrangement.givenFace({face}));
 		before.push_back(face);
 	}
 	std::vector<std::uint32_t> zeroAreaFaces;
@@ -234,64 +234,54 @@ Status cleanOperand(Arrangement& arrangement, std::size_t operand, Monitor& moni
 	if (!status.ok()) {
 		return status;
 	}
-	cleaned.faces.apply(given);
 	cleaned.faces.apply(before);
-	replaceFaux(mesh, operand, triangles, before);
-
-	Triangles all(mesh.triangles.begin(), mesh.triangles.begin() + begin);
-	std::vector<std::uint32_t> allGiven;
-	for (std::uint32_t face = 0; face < begin; ++face) {
-		allGiven.push_back(arrangement.givenFace({face}));
+	for (std::size_t f = 0; f < triangles.size(); ++f) {
+		const IndexTriangle& piece = triangles[f];
+		const Triangle& t = mesh.triangles[before[f]];
+		out.triangles.push_back({VertexId{piece[0]}, VertexId{piece[1]}, VertexId{piece[2]}});
+		out.given.push_back(arrangement.givenFace({before[f]}));
+		if (!mesh.faux.empty()) {
+			const bool isWhole = piece == IndexTriangle{t[0].value, t[1].value, t[2].value};
+			out.faux.push_back(isWhole ? mesh.faux[before[f]] : pieceFaux(mesh, before[f], piece));
+		}
 	}
-	for (const IndexTriangle& t : triangles) {
-		all.push_back({VertexId{t[0]}, VertexId{t[1]}, VertexId{t[2]}});
-	}
-	allGiven.insert(allGiven.end(), given.begin(), given.end());
-	const auto newEnd = static_cast<std::uint32_t>(all.size());
-	for (std::uint32_t face = end; face < mesh.faceBegin[2]; ++face) {
-		all.push_back(mesh.triangles[face]);
-		allGiven.push_back(arrangement.givenFace({face}));
-	}
-	mesh.faceBegin[operand + 1] = newEnd;
-	mesh.faceBegin[2] = static_cast<std::uint32_t>(all.size());
-	mesh.triangles = std::move(all);
-	arrangement.faceGiven = std::move(allGiven);
-	return {};
+	return status;
 }
 
 Status findClosed(Arrangement& arrangement, Monitor& monitor) {
 	const MeshArrays& mesh = arrangement.mesh;
-	Status status;
-	for (std::size_t operand = 0; operand < 2 && status.ok(); ++operand) {
-		const Triangle* begin = mesh.triangles.data() + mesh.faceBegin[operand];
-		const Triangle* end = mesh.triangles.data() + mesh.faceBegin[operand + 1];
+	return forEachOperand(mesh.operands(), [&](OperandId operand) {
+		const Triangle* begin = mesh.triangles.data() + mesh.faceOffsets.begin(operand);
+		const Triangle* end = mesh.triangles.data() + mesh.faceOffsets.end(operand);
 		std::uint64_t sum = 0;
-		status = boundaryChecksum(begin, end, arrangement.options.threads, monitor, sum);
+		const Status status =
+		    boundaryChecksum(begin, end, arrangement.options.threads, monitor, sum);
 		arrangement.closed[operand] = sum == 0;
-	}
-	return status;
+		return status;
+	});
 }
 
 // Ok, or where an operand is not closed or not consistently oriented.
 Status checkClosed(Arrangement& arrangement, Monitor& monitor) {
 	const MeshArrays& mesh = arrangement.mesh;
 	Status status = findClosed(arrangement, monitor);
-	for (std::size_t operand = 0; operand < 2 && status.ok(); ++operand) {
-		if (arrangement.closed[operand]) {
-			continue;
-		}
-		UnmatchedEdges found;
-		findUnmatchedEdges(mesh.triangles.data() + mesh.faceBegin[operand],
-		                   mesh.triangles.data() + mesh.faceBegin[operand + 1], found);
-		const bool open = found.borderEdges > 0;
-		status =
-		    failure(open ? StatusCode::NotClosed : StatusCode::NotOriented,
-		            static_cast<int>(operand), open ? found.borderEdges : found.conflictingEdges);
-		status.hasPlace = true;
-		status.place = at(mesh.points, found.firstEdge[0]);
-		for (const std::uint32_t face : found.faces) {
-			status.faces.push_back(arrangement.givenFace({face + mesh.faceBegin[operand]}));
-		}
+	const auto isOpen = [&](OperandId operand) { return !arrangement.closed[operand]; };
+	const auto all = mesh.operands();
+	const auto open = std::find_if(all.begin(), all.end(), isOpen);
+	if (!status.ok() || open == all.end()) {
+		return status;
+	}
+	const std::uint32_t first = mesh.faceOffsets.begin(*open);
+	UnmatchedEdges found;
+	findUnmatchedEdges(mesh.triangles.data() + first,
+	                   mesh.triangles.data() + mesh.faceOffsets.end(*open), found);
+	const bool hasBorder = found.borderEdges > 0;
+	status = failure(hasBorder ? StatusCode::NotClosed : StatusCode::NotOriented, *open,
+	                 hasBorder ? found.borderEdges : found.conflictingEdges);
+	status.hasPlace = true;
+	status.place = at(mesh.points, found.firstEdge[0]);
+	for (const std::uint32_t face : found.faces) {
+		status.faces.push_back(arrangement.givenFace({face + first}));
 	}
 	return status;
 }
@@ -344,21 +334,20 @@ FacesSeen lookAtFaces(const MeshArrays& mesh, std::size_t begin, std::size_t end
 }
 
 // Looks at both operands' faces, in fixed chunks.
-Status lookAtFaces(const Arrangement& arrangement, Monitor& monitor,
-                   std::array<FacesSeen, 2>& out) {
+Status lookAtFaces(const Arrangement& arrangement, Monitor& monitor, PerOperand<FacesSeen>& out) {
 	const MeshArrays& mesh = arrangement.mesh;
-	out = {};
-	Status status;
-	for (std::size_t operand = 0; operand < 2 && status.ok(); ++operand) {
-		const std::size_t first = mesh.faceBegin[operand];
-		const std::size_t count = mesh.faceBegin[operand + 1] - first;
+	out = PerOperand<FacesSeen>(mesh.operands().count());
+	return forEachOperand(mesh.operands(), [&](OperandId operand) {
+		const std::size_t first = mesh.faceOffsets.begin(operand);
+		const std::size_t count = mesh.faceOffsets.size(operand);
 		const Point& reference = at(mesh.points, mesh.triangles[first][0]);
 		std::vector<FacesSeen> parts(chunkCount(count, kGrain));
-		status = parallelForChunks(count, kGrain, arrangement.options.threads, monitor,
-		                           [&](std::size_t chunk, std::size_t begin, std::size_t end) {
-			                           parts[chunk] =
-			                               lookAtFaces(mesh, first + begin, first + end, reference);
-		                           });
+		const Status status =
+		    parallelForChunks(count, kGrain, arrangement.options.threads, monitor,
+		                      [&](std::size_t chunk, std::size_t begin, std::size_t end) {
+			                      parts[chunk] =
+			                          lookAtFaces(mesh, first + begin, first + end, reference);
+		                      });
 		VolumeSum& sum = out[operand].sixVolumes;
 		std::vector<std::uint32_t>& zeroArea = out[operand].zeroArea;
 		for (const FacesSeen& part : parts) {
@@ -367,48 +356,62 @@ Status lookAtFaces(const Arrangement& arrangement, Monitor& monitor,
 			zeroArea.insert(zeroArea.end(), part.zeroArea.begin(), part.zeroArea.end());
 		}
 		sum.bound *= 1 + 1e-6;  // the bound's own rounding: far above n * u for any n that fits
-	}
-	return status;
+		return status;
+	});
 }
 
 // Cleans the operands that have faces without area, and looks at the faces again then.
 // \param seen    what was seen, and then what is there
 // \param cleaned whether there were any
-Status cleanZeroAreaFaces(Arrangement& arrangement, Monitor& monitor,
-                          std::array<FacesSeen, 2>& seen, bool& cleaned) {
-	cleaned = !seen[0].zeroArea.empty() || !seen[1].zeroArea.empty();
+Status cleanZeroAreaFaces(Arrangement& arrangement, Monitor& monitor, PerOperand<FacesSeen>& seen,
+                          bool& cleaned) {
+	cleaned = std::any_of(seen.begin(), seen.end(),
+	                      [](const FacesSeen& faces) { return !faces.zeroArea.empty(); });
 	if (!cleaned) {
 		return {};
 	}
-	Status status;
-	for (const std::size_t operand : {std::size_t{1}, std::size_t{0}}) {
-		if (status.ok() && !seen[operand].zeroArea.empty()) {
-			status = cleanOperand(arrangement, operand, monitor);
+	MeshArrays& mesh = arrangement.mesh;
+	NewFaces faces;
+	faces.offsets = OperandOffsets(mesh.operands().count());
+	const Status status = forEachOperand(mesh.operands(), [&](OperandId operand) {
+		Status cleaning;
+		if (seen[operand].zeroArea.empty()) {
+			keepOperand(arrangement, operand, faces);
+		} else {
+			cleaning = cleanOperand(arrangement, operand, monitor, faces);
 		}
+		faces.offsets.setEnd(operand, faces.triangles.size());
+		return cleaning;
+	});
+	if (!status.ok()) {
+		return status;
 	}
-	if (status.ok()) {
-		status = checkSizes(arrangement.mesh);
-	}
-	return status.ok() ? lookAtFaces(arrangement, monitor, seen) : status;
+	mesh.triangles = std::move(faces.triangles);
+	mesh.faux = std::move(faces.faux);
+	mesh.faceOffsets = std::move(faces.offsets);
+	arrangement.faceGiven = std::move(faces.given);
+	return inOrder([&] { return checkSizes(mesh); },
+	               [&] { return lookAtFaces(arrangement, monitor, seen); });
 }
 
 // Finds the volumes of the closed operands, and on which side of each its solid lies. An operand
 // without volume is refused, if it must not be.
-Status findVolumes(Arrangement& arrangement, const std::array<FacesSeen, 2>& seen,
+Status findVolumes(Arrangement& arrangement, const PerOperand<FacesSeen>& seen,
                    bool mustHaveVolume) {
 	const MeshArrays& mesh = arrangement.mesh;
-	for (std::size_t operand = 0; operand < 2; ++operand) {
+	for (const OperandId operand : mesh.operands()) {
 		if (!arrangement.closed[operand]) {
 			continue;
 		}
 		const VolumeSum& sum = seen[operand].sixVolumes;
 		int sign = Bounded(sum.value, sum.bound).sign();
 		if (sign == kUnknownSign || sign == 0) {
-			sign = exactVolumeSign(mesh.points, mesh.triangles.data() + mesh.faceBegin[operand],
-			                       mesh.triangles.data() + mesh.faceBegin[operand + 1]);
+			sign = exactVolumeSign(mesh.points,
+			                       mesh.triangles.data() + mesh.faceOffsets.begin(operand),
+			                       mesh.triangles.data() + mesh.faceOffsets.end(operand));
 		}
 		if (sign == 0 && mustHaveVolume) {
-			return failure(StatusCode::NoVolume, static_cast<int>(operand), 0);
+			return failure(StatusCode::NoVolume, operand, 0);
 		}
 		arrangement.turned[operand] = sign < 0;
 		arrangement.volume[operand] = std::fabs(sum.value) / 6;
@@ -416,20 +419,20 @@ Status findVolumes(Arrangement& arrangement, const std::array<FacesSeen, 2>& see
 	return {};
 }
 
-void turnFaux(MeshArrays& mesh, std::size_t operand) {
-	for (std::size_t f = mesh.faceBegin[operand];
-	     !mesh.faux.empty() && f < mesh.faceBegin[operand + 1]; ++f) {
+void turnFaux(MeshArrays& mesh, OperandId operand) {
+	for (std::size_t f = mesh.faceOffsets.begin(operand);
+	     !mesh.faux.empty() && f < mesh.faceOffsets.end(operand); ++f) {
 		mesh.faux[f] = turnedFaux(mesh.faux[f]);
 	}
 }
 
-Status turnRightSideOut(Arrangement& arrangement, const std::array<FacesSeen, 2>& seen) {
+Status turnRightSideOut(Arrangement& arrangement, const PerOperand<FacesSeen>& seen) {
 	MeshArrays& mesh = arrangement.mesh;
 	const Status status = findVolumes(arrangement, seen, true);
-	for (std::size_t operand = 0; operand < 2; ++operand) {
+	for (const OperandId operand : mesh.operands()) {
 		if (status.ok() && arrangement.turned[operand]) {
-			std::for_each(mesh.triangles.begin() + mesh.faceBegin[operand],
-			              mesh.triangles.begin() + mesh.faceBegin[operand + 1],
+			std::for_each(mesh.triangles.begin() + mesh.faceOffsets.begin(operand),
+			              mesh.triangles.begin() + mesh.faceOffsets.end(operand),
 			              [](Triangle& t) { std::swap(t[1], t[2]); });
 			turnFaux(mesh, operand);
 		}
@@ -439,7 +442,7 @@ Status turnRightSideOut(Arrangement& arrangement, const std::array<FacesSeen, 2>
 
 // A part of an operand's vertices.
 struct VertexTask {
-	std::size_t operand;
+	OperandId operand;
 	VertexRange vertices;
 };
 
@@ -447,12 +450,13 @@ struct VertexTask {
 // best, of about the same size. Once welded, the second operand has vertices of the first.
 std::vector<VertexTask> divideVertices(const MeshArrays& mesh) {
 	std::vector<VertexTask> tasks;
-	for (std::size_t operand = 0; operand < 2; ++operand) {
-		const std::uint32_t end = mesh.vertexBegin[operand + 1];
-		const std::size_t faces = mesh.faceBegin[operand + 1] - mesh.faceBegin[operand];
+	for (const OperandId operand : mesh.operands()) {
+		const std::uint32_t end = mesh.vertexOffsets.end(operand);
+		const std::size_t faces = mesh.faceOffsets.size(operand);
 		const bool isLarge = faces > kGrain && faces > mesh.triangles.size() / 3 * 2;
-		const std::uint32_t middle =
-		    isLarge ? mesh.vertexBegin[operand] + (end - mesh.vertexBegin[operand]) / 2 : 0;
+		const std::uint32_t middle = isLarge ? mesh.vertexOffsets.begin(operand) +
+		                                           (end - mesh.vertexOffsets.begin(operand)) / 2
+		                                     : 0;
 		if (isLarge) {
 			tasks.push_back({operand, {0, middle}});
 		}
@@ -470,14 +474,14 @@ Status forEachTask(const Arrangement& arrangement, const std::vector<VertexTask>
 	return parallelForChunks(
 	    tasks.size(), 1, threads, monitor, [&](std::size_t task, std::size_t, std::size_t) {
 		    const Triangle* all = mesh.triangles.data();
-		    const std::size_t operand = tasks[task].operand;
-		    body(task, all + mesh.faceBegin[operand], all + mesh.faceBegin[operand + 1]);
+		    const OperandId operand = tasks[task].operand;
+		    body(task, all + mesh.faceOffsets.begin(operand), all + mesh.faceOffsets.end(operand));
 	    });
 }
 
 // Finds which operands are closed manifolds: nearly all are, and need no other check.
 Status findClosedManifolds(const Arrangement& arrangement, Monitor& monitor,
-                           std::array<bool, 2>& out) {
+                           PerOperand<bool>& out) {
 	const std::vector<VertexTask> tasks = divideVertices(arrangement.mesh);
 	std::vector<std::uint8_t> manifold(tasks.size(), 0);
 	const Status status =
@@ -485,7 +489,7 @@ Status findClosedManifolds(const Arrangement& arrangement, Monitor& monitor,
 	                [&](std::size_t task, const Triangle* begin, const Triangle* end) {
 		                manifold[task] = isClosedManifold(begin, end, tasks[task].vertices) ? 1 : 0;
 	                });
-	out = {true, true};
+	std::fill(out.begin(), out.end(), true);
 	for (std::size_t task = 0; task < tasks.size(); ++task) {
 		out[tasks[task].operand] &= manifold[task] != 0;
 	}
@@ -512,90 +516,64 @@ Status findNonManifold(Arrangement& arrangement, Monitor& monitor) {
 // Checks the arrays, welds each operand's vertices and drops faces with two equal corners.
 Status weldOperands(Arrangement& arrangement, Monitor& monitor, CornerWelder& welder) {
 	CornerFacts facts;
-	std::array<bool, 2>& welded = arrangement.seams;
-	Status status = checkSizes(arrangement.mesh);
-	if (status.ok()) {
-		status = checkCorners(arrangement, monitor, welder, facts);
-	}
-	if (status.ok()) {
-		status = welder.weldWithinOperands(welded);
-	}
-	if (status.ok() && (welded[0] || welded[1])) {
-		status = lookAtCorners(arrangement, monitor, facts);
-	}
-	return status.ok() && facts.anyEqual ? dropCollapsedFaces(arrangement) : status;
+	PerOperand<bool>& welded = arrangement.seams;
+	const auto lookAgain = [&] {
+		const bool any = std::find(welded.begin(), welded.end(), true) != welded.end();
+		return any ? lookAtCorners(arrangement, monitor, facts) : Status{};
+	};
+	return inOrder([&] { return checkSizes(arrangement.mesh); },
+	               [&] { return checkCorners(arrangement, monitor, welder, facts); },
+	               [&] { return welder.weldWithinOperands(welded); }, lookAgain,
+	               [&] { return facts.anyEqual ? dropCollapsedFaces(arrangement) : Status{}; });
 }
 
 }  // namespace
 
 Status prepareOperands(Arrangement& arrangement, Monitor& monitor) {
 	CornerWelder welder(arrangement.mesh, arrangement.options.threads, monitor);
-	std::array<bool, 2>& manifold = arrangement.closed;
-	Status status = weldOperands(arrangement, monitor, welder);
-	if (status.ok()) {
-		status = findClosedManifolds(arrangement, monitor, manifold);
-	}
-	const bool bothManifold = manifold[0] && manifold[1];
-	if (status.ok() && !bothManifold) {
-		status = removeDuplicateFaces(arrangement, monitor);
-	}
-	if (status.ok() && !bothManifold) {
-		status = checkClosed(arrangement, monitor);
-	}
-	std::array<FacesSeen, 2> seen;
-	bool cleaned = false;
-	if (status.ok()) {
-		status = lookAtFaces(arrangement, monitor, seen);
-	}
-	if (status.ok()) {
-		status = cleanZeroAreaFaces(arrangement, monitor, seen, cleaned);
-	}
-	if (status.ok()) {
-		status = welder.weldSecondToFirst();
-	}
-	if (status.ok() && (!bothManifold || cleaned)) {
-		status = findNonManifold(arrangement, monitor);
-	}
-	if (status.ok()) {
-		status = turnRightSideOut(arrangement, seen);
-	}
-	if (status.ok()) {
-		status = joinPolygons(arrangement, monitor);
-	}
-	return status;
+	PerOperand<bool>& manifold = arrangement.closed;
+	PerOperand<FacesSeen> seen;
+	bool allManifold = false, cleaned = false;
+	return inOrder([&] { return weldOperands(arrangement, monitor, welder); },
+	               [&] { return findClosedManifolds(arrangement, monitor, manifold); },
+	               [&] {
+		               allManifold =
+		                   std::find(manifold.begin(), manifold.end(), false) == manifold.end();
+		               return allManifold ? Status{} : removeDuplicateFaces(arrangement, monitor);
+	               },
+	               [&] { return allManifold ? Status{} : checkClosed(arrangement, monitor); },
+	               [&] { return lookAtFaces(arrangement, monitor, seen); },
+	               [&] { return cleanZeroAreaFaces(arrangement, monitor, seen, cleaned); },
+	               [&] { return welder.weldSecondToFirst(); },
+	               [&] {
+		               const bool isKnown = allManifold && !cleaned;
+		               return isKnown ? Status{} : findNonManifold(arrangement, monitor);
+	               },
+	               [&] { return turnRightSideOut(arrangement, seen); },
+	               [&] { return joinPolygons(arrangement, monitor); });
 }
 
 Status prepareSurfaces(Arrangement& arrangement, Monitor& monitor) {
 	CornerWelder welder(arrangement.mesh, arrangement.options.threads, monitor);
-	Status status = weldOperands(arrangement, monitor, welder);
-	std::array<FacesSeen, 2> seen;
+	PerOperand<FacesSeen> seen;
 	bool cleaned = false;
-	if (status.ok()) {
-		status = lookAtFaces(arrangement, monitor, seen);
-	}
-	if (status.ok()) {
-		status = cleanZeroAreaFaces(arrangement, monitor, seen, cleaned);
-	}
-	const std::size_t faceCount = arrangement.mesh.triangles.size();
-	if (status.ok()) {
-		status = takeDuplicateFacesOnce(arrangement, monitor);
-	}
-	if (status.ok() && arrangement.mesh.triangles.size() < faceCount) {
-		status = lookAtFaces(arrangement, monitor, seen);
-	}
-	if (status.ok()) {
-		status = welder.weldSecondToFirst();
-	}
-	if (status.ok()) {
-		status = findClosed(arrangement, monitor);
-	}
-	if (status.ok()) {
-		status = findNonManifold(arrangement, monitor);
-	}
-	if (status.ok()) {
-		status = joinPolygons(arrangement, monitor);
-	}
-	return status.ok() ? findVolumes(arrangement, seen, false) : status;
+	std::size_t faceCount = 0;
+	return inOrder([&] { return weldOperands(arrangement, monitor, welder); },
+	               [&] { return lookAtFaces(arrangement, monitor, seen); },
+	               [&] { return cleanZeroAreaFaces(arrangement, monitor, seen, cleaned); },
+	               [&] {
+		               faceCount = arrangement.mesh.triangles.size();
+		               return takeDuplicateFacesOnce(arrangement, monitor);
+	               },
+	               [&] {
+		               const bool anyDropped = arrangement.mesh.triangles.size() < faceCount;
+		               return anyDropped ? lookAtFaces(arrangement, monitor, seen) : Status{};
+	               },
+	               [&] { return welder.weldSecondToFirst(); },
+	               [&] { return findClosed(arrangement, monitor); },
+	               [&] { return findNonManifold(arrangement, monitor); },
+	               [&] { return joinPolygons(arrangement, monitor); },
+	               [&] { return findVolumes(arrangement, seen, false); });
 }
 
 }  // namespace index_boolean

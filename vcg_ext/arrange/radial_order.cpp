@@ -15,7 +15,7 @@ namespace {
 // A half-plane with what its comparisons need.
 struct Ray {
 	HalfPlane half;
-	int operand;
+	OperandId operand;
 	const Triangle* corners;
 	const Point* witness;
 	int axis;         // of the face's projection
@@ -47,7 +47,7 @@ private:
 		                          at(points, (*a.corners)[2]), *b.witness);
 		return a.half.left ? side : -side;
 	}
-	int labelOperand(int operand, std::vector<Label>& labels) const;
+	int labelOperand(OperandId operand, std::vector<Label>& labels) const;
 
 	const Arrangement& arrangement_;
 	ExactPoint begin_, end_;
@@ -87,7 +87,7 @@ void RadialOrder::sort() {
 
 // Labels the half-planes of one operand by those of the other: going round, a left half-plane of
 // the other is entered from behind, inside, and left in front, outside; a right one the other way.
-int RadialOrder::labelOperand(int operand, std::vector<Label>& labels) const {
+int RadialOrder::labelOperand(OperandId operand, std::vector<Label>& labels) const {
 	std::vector<RadialPlace> others;
 	for (const RadialPlace& place : places_) {
 		if (rays_[place.index].operand != operand) {
@@ -99,7 +99,7 @@ int RadialOrder::labelOperand(int operand, std::vector<Label>& labels) const {
 		const RadialPlace& next = others[(i + 1) % others.size()];
 		const bool samePlace = others[i].slot == next.slot;  // also if it is the only one
 		if (samePlace || isLeft(others[i]) == isLeft(next)) {
-			return 1 - operand;
+			return numberOf(otherOf(operand));
 		}
 	}
 	for (const RadialPlace& place : places_) {
@@ -122,7 +122,7 @@ int RadialOrder::labelOperand(int operand, std::vector<Label>& labels) const {
 
 int RadialOrder::label(std::vector<Label>& labels) const {
 	labels.assign(rays_.size(), Label::Unknown);
-	for (int operand = 0; operand < 2; ++operand) {
+	for (const OperandId operand : {kFirst, kSecond}) {
 		if (const int wrong = labelOperand(operand, labels); wrong >= 0) {
 			return wrong;
 		}

@@ -637,7 +637,7 @@ Status concatenate(const std::vector<ChunkPieces>& chunks, const Arrangement& ar
 Status refuseFace(const Arrangement& arrangement, FaceId face) {
 	const Curve& curve = arrangement.curve;
 	const MeshArrays& mesh = arrangement.mesh;
-	const int operand = 1 - mesh.operandOf(face);
+	const OperandId operand = otherOf(mesh.operandOf(face));
 	std::vector<FaceId> faces;
 	std::vector<std::uint8_t> onFace(curve.segments.size());
 	const FaceLines lines = linesOf(curve, face);

@@ -8,11 +8,11 @@
 
 namespace index_boolean {
 
-Status selfIntersecting(const Arrangement& arrangement, int operand,
+Status selfIntersecting(const Arrangement& arrangement, OperandId operand,
                         const std::vector<FaceId>& faces, const Point& place) {
 	Status status;
 	status.code = StatusCode::SelfIntersecting;
-	status.operand = operand;
+	status.operand = numberOf(operand);
 	status.hasPlace = true;
 	status.place = place;
 	for (const FaceId face : faces) {

@@ -55,9 +55,9 @@ int countCommonCorners(const Triangle& s, const Triangle& t, int& corner) {
 // One operand and what has been found of it.
 class SelfSearch {
 public:
-	SelfSearch(const Arrangement& arrangement, std::size_t operand, Monitor& monitor)
+	SelfSearch(const Arrangement& arrangement, OperandId operand, Monitor& monitor)
 	    : arrangement_(arrangement), mesh_(arrangement.mesh), operand_(operand),
-	      first_(mesh_.faceBegin[operand]), count_(mesh_.faceBegin[operand + 1] - first_),
+	      first_(mesh_.faceOffsets.begin(operand)), count_(mesh_.faceOffsets.size(operand)),
 	      monitor_(monitor), isConcerned_(count_) {}
 
 	Status run();
@@ -78,7 +78,7 @@ private:
 
 	const Arrangement& arrangement_;
 	const MeshArrays& mesh_;
-	std::size_t operand_;
+	OperandId operand_;
 	std::uint32_t first_, count_;
 	Monitor& monitor_;
 	HugeVector<FaceBox> boxes_;
@@ -242,7 +242,7 @@ Status SelfSearch::result() const {
 	std::sort(status.faces.begin(), status.faces.end());
 	status.faces.erase(std::unique(status.faces.begin(), status.faces.end()), status.faces.end());
 	status.code = StatusCode::SelfIntersecting;
-	status.operand = static_cast<int>(operand_);
+	status.operand = numberOf(operand_);
 	status.count = status.faces.size();
 	status.hasPlace = true;
 	status.place = placeOf(
@@ -252,28 +252,24 @@ Status SelfSearch::result() const {
 
 Status SelfSearch::run() {
 	BoundingBox box{};
-	Status status = findBox(box);
-	if (status.ok()) {
-		status = collectBoxes(box);
-	}
-	if (status.ok()) {
-		status = visitPairsWithin(boxes_, halfSize_, arrangement_.options, monitor_,
-		                          [this](FacePair pair) { visit(pair); });
-	}
-	return status.ok() ? result() : status;
+	const auto visitPair = [this](FacePair pair) { visit(pair); };
+	return inOrder([&] { return findBox(box); }, [&] { return collectBoxes(box); },
+	               [&] {
+		               return visitPairsWithin(boxes_, halfSize_, arrangement_.options, monitor_,
+		                                       visitPair);
+	               },
+	               [&] { return result(); });
 }
 
 }  // namespace
 
 Status checkSelfIntersections(const Arrangement& arrangement, Monitor& monitor) {
-	Status status;
 	if (!arrangement.options.checkSelfIntersections) {
-		return status;
+		return {};
 	}
-	for (std::size_t operand = 0; operand < 2 && status.ok(); ++operand) {
-		status = SelfSearch(arrangement, operand, monitor).run();
-	}
-	return status;
+	return forEachOperand(arrangement.mesh.operands(), [&](OperandId operand) {
+		return SelfSearch(arrangement, operand, monitor).run();
+	});
 }
 
 }  // namespace index_boolean

@@ -91,7 +91,7 @@ private:
 
 RefinedFace Builder::refinedFace(const Triangle& corners, FaceId source) const {
 	RefinedFace face{corners, {FaceId::none(), FaceId::none()}, false};
-	face.sources[static_cast<std::size_t>(mesh_.operandOf(source))] = source;
+	face.sources[mesh_.operandOf(source).value] = source;
 	return face;
 }
 
@@ -184,7 +184,7 @@ Status Builder::merge(const FaceEntry* begin, const FaceEntry* end) {
 		isMerged_[(begin + 1)->face] = 1;
 		return {};
 	}
-	const int operand = mesh_.operandOf(first.source());
+	const OperandId operand = mesh_.operandOf(first.source());
 	std::vector<FaceId> faces;
 	for (const FaceEntry* e = begin; e != end; ++e) {
 		const FaceId source = out_.faces[e->face].source();

@@ -34,7 +34,7 @@ constexpr int kStatusCodeCount = 13;
 // What happened. `operand` is 0 or 1, or -1 where both or none are meant. `faces` are indices into
 // that operand's triangles as given to the core. `count` is the number of defects (edges for
 // NotClosed and NotOriented, components for NestedComponents, else faces).
-struct Status {
+struct [[nodiscard]] Status {
 	StatusCode code = StatusCode::Ok;
 	int operand = -1;
 	std::size_t count = 0;
@@ -49,6 +49,15 @@ struct Status {
 inline Status statusOf(StatusCode code) {
 	Status status;
 	status.code = code;
+	return status;
+}
+
+// Calls steps, functions without parameters that return a Status, one after another until one is
+// not Ok. \return that status, or Ok
+template <class... Steps>
+Status inOrder(Steps&&... steps) {
+	Status status;
+	static_cast<void>(((status = steps(), status.ok()) && ...));
 	return status;
 }
 

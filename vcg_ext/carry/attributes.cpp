@@ -203,8 +203,8 @@ private:
 		std::uint32_t face, corner;
 	};
 
-	std::uint32_t operandOf(std::size_t face) const {
-		return static_cast<std::uint32_t>(arrangement_.mesh.operandOf(mesh_.faceSource[face].face));
+	OperandId operandOf(std::size_t face) const {
+		return arrangement_.mesh.operandOf(mesh_.faceSource[face].face);
 	}
 	bool findIdentity(std::size_t face, std::uint32_t vertex, Identity& identity) const;
 	void listStrangers(std::uint32_t face);
@@ -222,8 +222,8 @@ private:
 // False for a corner of a merged face that lies outside of what the face came from: it may stand
 // for any.
 bool Parting::findIdentity(std::size_t face, std::uint32_t vertex, Identity& identity) const {
-	const std::uint32_t operand = operandOf(face);
-	identity = {operand, kNone, kNone, kNone};
+	const OperandId operand = operandOf(face);
+	identity = {operand.value, kNone, kNone, kNone};
 	if (!seams_.any() || !arrangement_.seams[operand]) {
 		return true;
 	}
@@ -246,7 +246,7 @@ void Parting::listStrangers(std::uint32_t face) {
 	for (std::uint32_t i = 0; i < 3; ++i) {
 		const std::uint32_t v = mesh_.triangles[face][i];
 		Identity& first = first_[v];
-		const bool isOthers = first[0] != kNone && first[0] != operandOf(face);
+		const bool isOthers = first[0] != kNone && first[0] != operandOf(face).value;
 		Identity identity;
 		if ((isOthers && !partCurve_) || !findIdentity(face, v, identity)) {
 			continue;
@@ -284,16 +284,16 @@ Status Parting::run(Monitor& monitor) {
 		return status;
 	}
 	first_.assign(mesh_.points.size(), Identity{kNone, kNone, kNone, kNone});
-	for (std::uint32_t operand = 0; operand < 2 && status.ok(); ++operand) {
-		status = inOrderFor(mesh_.triangles.size(), kGrain, monitor,
-		                    [&](std::size_t begin, std::size_t end) {
-			                    for (std::size_t f = begin; f < end; ++f) {
-				                    if (operandOf(f) == operand) {
-					                    listStrangers(static_cast<std::uint32_t>(f));
-				                    }
-			                    }
-		                    });
-	}
+	status = forEachOperand(arrangement_.mesh.operands(), [&](OperandId operand) {
+		return inOrderFor(mesh_.triangles.size(), kGrain, monitor,
+		                  [&](std::size_t begin, std::size_t end) {
+			                  for (std::size_t f = begin; f < end; ++f) {
+				                  if (operandOf(f) == operand) {
+					                  listStrangers(static_cast<std::uint32_t>(f));
+				                  }
+			                  }
+		                  });
+	});
 	if (status.ok()) {
 		addVertices();
 	}
@@ -362,7 +362,7 @@ Status SourceFinder::findFaces() {
 		    for (std::size_t f = begin; f < end; ++f) {
 			    const GivenFace face = locator_.givenFace(mesh_.faceSource[f].face);
 			    const auto key = static_cast<std::uint32_t>(f) |
-			                     (face.operand == 0 ? std::uint32_t{0} : kSecondOperand);
+			                     (face.operand == kFirst ? std::uint32_t{0} : kSecondOperand);
 			    out_.face[f] = face;
 			    for (const std::uint32_t v : mesh_.triangles[f]) {
 				    lowerTo(key, chosen_[v]);
@@ -399,7 +399,7 @@ Status SourceFinder::findVertices() {
 		}
 		const FaceSource& source = mesh_.faceSource[chosen & ~kSecondOperand];
 		const VertexId vertex = mesh_.vertexSource[v];
-		const auto operand = static_cast<std::size_t>(chosen >= kSecondOperand);
+		const OperandId operand = chosen >= kSecondOperand ? kSecond : kFirst;
 		out_.turned[v] = source.turned ? 1 : 0;
 		if (vertex != VertexId::none() && !arrangement_.isOnOther(vertex) &&
 		    !arrangement_.seams[operand]) {

@@ -35,8 +35,8 @@ public:
 
 private:
 	Triangle cornersAsGiven(std::size_t face) const;
-	Status findPlaces(std::size_t operand);
-	Status listEdges(std::size_t operand);
+	Status findPlaces(OperandId operand);
+	Status listEdges(OperandId operand);
 	void compareEnds(VertexId a, VertexId b);
 	Status compareEdges();
 	void joinOthers();
@@ -69,11 +69,11 @@ Triangle SeamFinder::cornersAsGiven(std::size_t face) const {
 	return corners;
 }
 
-Status SeamFinder::findPlaces(std::size_t operand) {
+Status SeamFinder::findPlaces(OperandId operand) {
 	places_.assign(mesh_.points.size(), VertexId::none());
 	isShared_.assign(mesh_.points.size(), 0);
 	std::vector<std::uint8_t> faces(mesh_.points.size(), 0);
-	const std::size_t first = mesh_.faceBegin[operand];
+	const std::size_t first = mesh_.faceOffsets.begin(operand);
 	const auto look = [&](std::size_t begin, std::size_t end) {
 		for (std::size_t f = first + begin; f < first + end; ++f) {
 			const Triangle given = cornersAsGiven(f);
@@ -92,14 +92,14 @@ Status SeamFinder::findPlaces(std::size_t operand) {
 			}
 		}
 	};
-	const Status status = inOrderFor(mesh_.faceBegin[operand + 1] - first, kGrain, monitor_, look);
+	const Status status = inOrderFor(mesh_.faceOffsets.size(operand), kGrain, monitor_, look);
 	isSoup_ = std::find(faces.begin(), faces.end(), 2) == faces.end();
 	return status;
 }
 
-Status SeamFinder::listEdges(std::size_t operand) {
+Status SeamFinder::listEdges(OperandId operand) {
 	edges_.clear();
-	const std::size_t first = mesh_.faceBegin[operand];
+	const std::size_t first = mesh_.faceOffsets.begin(operand);
 	const auto list = [&](std::size_t begin, std::size_t end) {
 		for (std::size_t f = first + begin; f < first + end; ++f) {
 			const Triangle& t = mesh_.triangles[f];
@@ -115,7 +115,7 @@ Status SeamFinder::listEdges(std::size_t operand) {
 			}
 		}
 	};
-	return inOrderFor(mesh_.faceBegin[operand + 1] - first, kGrain, monitor_, list);
+	return inOrderFor(mesh_.faceOffsets.size(operand), kGrain, monitor_, list);
 }
 
 void SeamFinder::compareEnds(VertexId a, VertexId b) {
@@ -170,20 +170,16 @@ void SeamFinder::joinOthers() {
 }
 
 Status SeamFinder::run(Seams& out) {
-	Status status;
-	for (std::size_t operand = 0; operand < 2 && status.ok(); ++operand) {
+	const Status status = forEachOperand(mesh_.operands(), [&](OperandId operand) {
 		if (!arrangement_.seams[operand]) {
-			continue;
+			return Status{};
 		}
-		status = findPlaces(operand);
-		if (status.ok()) {
-			status = listEdges(operand);
-		}
-		if (status.ok()) {
-			status = compareEdges();
-		}
+		const Status compared =
+		    inOrder([&] { return findPlaces(operand); }, [&] { return listEdges(operand); },
+		            [&] { return compareEdges(); });
 		joinOthers();
-	}
+		return compared;
+	});
 	sides_.flatten();
 	out.side.resize(sides_.size());
 	for (std::uint32_t v = 0; v < out.side.size(); ++v) {
@@ -197,7 +193,8 @@ Status SeamFinder::run(Seams& out) {
 Status findSeams(const Arrangement& arrangement, const GivenTriangles& given,
                  const SameAttributes& same, Monitor& monitor, Seams& out) {
 	out = Seams{};
-	if (!arrangement.seams[0] && !arrangement.seams[1]) {
+	const auto& seams = arrangement.seams;
+	if (std::find(seams.begin(), seams.end(), true) == seams.end()) {
 		return {};
 	}
 	return SeamFinder(arrangement, given, same, monitor).run(out);

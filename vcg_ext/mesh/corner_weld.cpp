@@ -61,17 +61,18 @@ public:
 	}
 
 	// Of two vertices that are added with the same bits, at the same time or not, one finds them.
-	void add(std::size_t operand, PlaceBits bits) {
+	void add(OperandId operand, PlaceBits bits) {
 		Cell& cell = cells_[bits.cell];
-		if (set(cell.once[operand], bits.mask)) {
-			set(cell.twice[operand], bits.mask);
+		if (set(cell.once[operand.value], bits.mask)) {
+			set(cell.twice[operand.value], bits.mask);
 		}
 	}
 
 	// Once all are added: whether this one may have another in its place.
-	bool mayShare(std::size_t operand, PlaceBits bits) const {
+	bool mayShare(OperandId operand, PlaceBits bits) const {
 		const Cell& cell = cells_[bits.cell];
-		return has(cell.twice[operand], bits.mask) || has(cell.once[1 - operand], bits.mask);
+		return has(cell.twice[operand.value], bits.mask) ||
+		       has(cell.once[otherOf(operand).value], bits.mask);
 	}
 
 private:
@@ -136,11 +137,11 @@ private:
 // Calls body(operand, begin, end) for chunks of both operands' vertices.
 template <class Body>
 Status forEachVertexRange(const MeshArrays& mesh, int threads, Monitor& monitor, Body&& body) {
-	const std::size_t second = mesh.vertexBegin[1];
+	const std::size_t second = mesh.vertexOffsets.begin(kSecond);
 	return parallelFor(mesh.points.size(), kGrain, threads, monitor,
 	                   [&](std::size_t begin, std::size_t end) {
-		                   body(std::size_t{0}, begin, std::min(end, second));
-		                   body(std::size_t{1}, std::max(begin, second), end);
+		                   body(kFirst, begin, std::min(end, second));
+		                   body(kSecond, std::max(begin, second), end);
 	                   });
 }
 
@@ -166,10 +167,10 @@ void askAhead(const Points& points, std::size_t begin, std::size_t end, const Pl
 
 Status CornerWelder::findSuspects(double most, bool& inRange) {
 	const Points& points = mesh_.points;
-	const std::size_t second = mesh_.vertexBegin[1];
+	const std::size_t second = mesh_.vertexOffsets.begin(kSecond);
 	PlaceSieve sieve(std::max(second, points.size() - second));
 	std::atomic<bool> allInRange{true};
-	const auto add = [&](std::size_t operand, std::size_t begin, std::size_t end) {
+	const auto add = [&](OperandId operand, std::size_t begin, std::size_t end) {
 		bool within = true;
 		askAhead(points, begin, end, sieve, [&](std::size_t v, PlaceBits bits) {
 			within &= isWithin(points[v], most);
@@ -180,10 +181,10 @@ Status CornerWelder::findSuspects(double most, bool& inRange) {
 		}
 	};
 	std::vector<std::vector<std::uint32_t>> found(2 * chunkCount(points.size(), kGrain));
-	const auto find = [&](std::size_t operand, std::size_t begin, std::size_t end) {
+	const auto find = [&](OperandId operand, std::size_t begin, std::size_t end) {
 		askAhead(points, begin, end, sieve, [&](std::size_t v, PlaceBits bits) {
 			if (sieve.mayShare(operand, bits) && isWithin(points[v], kMax)) {
-				found[2 * (v / kGrain) + operand].push_back(static_cast<std::uint32_t>(v));
+				found[2 * (v / kGrain) + operand.value].push_back(static_cast<std::uint32_t>(v));
 			}
 		});
 	};
@@ -193,7 +194,8 @@ Status CornerWelder::findSuspects(double most, bool& inRange) {
 	}
 	inRange = allInRange;
 	for (std::size_t i = 0; i < found.size(); ++i) {
-		suspects_[i % 2].insert(suspects_[i % 2].end(), found[i].begin(), found[i].end());
+		std::vector<std::uint32_t>& suspects = suspects_[makeId<OperandTag>(i % 2)];
+		suspects.insert(suspects.end(), found[i].begin(), found[i].end());
 	}
 	return status;
 }
@@ -226,12 +228,14 @@ Status CornerWelder::replaceCorners(const std::vector<Move>& moves, std::size_t 
 	                   });
 }
 
-Status CornerWelder::weldWithinOperands(std::array<bool, 2>& welded) {
-	std::array<std::vector<Move>, 2> moves;
-	const int halves = threadsForHalves(suspects_[0].size() + suspects_[1].size(), threads_);
+Status CornerWelder::weldWithinOperands(PerOperand<bool>& welded) {
+	PerOperand<std::vector<Move>> moves;
+	const int halves =
+	    threadsForHalves(suspects_[kFirst].size() + suspects_[kSecond].size(), threads_);
 	const Status status =
 	    parallelFor(2, 1, halves, monitor_, [&](std::size_t begin, std::size_t end) {
-		    for (std::size_t operand = begin; operand < end; ++operand) {
+		    for (std::size_t k = begin; k < end; ++k) {
+			    const auto operand = makeId<OperandTag>(k);
 			    VertexTable table(mesh_.points, suspects_[operand].size());
 			    for (const std::uint32_t v : suspects_[operand]) {
 				    const std::uint32_t first = table.findOrAdd(v);
@@ -241,15 +245,16 @@ Status CornerWelder::weldWithinOperands(std::array<bool, 2>& welded) {
 			    }
 		    }
 	    });
-	welded = {!moves[0].empty(), !moves[1].empty()};
-	moves[0].insert(moves[0].end(), moves[1].begin(), moves[1].end());
-	return status.ok() ? replaceCorners(moves[0], 0) : status;
+	std::vector<Move>& all = moves[kFirst];
+	welded = {!all.empty(), !moves[kSecond].empty()};
+	all.insert(all.end(), moves[kSecond].begin(), moves[kSecond].end());
+	return status.ok() ? replaceCorners(all, 0) : status;
 }
 
 // Per vertex of the first operand: a face of it has a corner there.
 std::vector<bool> CornerWelder::usedByFirst() const {
-	std::vector<bool> used(mesh_.vertexBegin[1], false);
-	for (std::size_t face = 0; face < mesh_.faceBegin[1]; ++face) {
+	std::vector<bool> used(mesh_.vertexOffsets.begin(kSecond), false);
+	for (std::size_t face = 0; face < mesh_.faceOffsets.begin(kSecond); ++face) {
 		for (const VertexId v : mesh_.triangles[face]) {
 			used[v.value] = true;
 		}
@@ -258,12 +263,12 @@ std::vector<bool> CornerWelder::usedByFirst() const {
 }
 
 Status CornerWelder::weldSecondToFirst() {
-	VertexTable first(mesh_.points, suspects_[0].size());
-	for (const std::uint32_t v : suspects_[0]) {
+	VertexTable first(mesh_.points, suspects_[kFirst].size());
+	for (const std::uint32_t v : suspects_[kFirst]) {
 		first.findOrAdd(v);
 	}
 	std::vector<Move> moves;
-	for (const std::uint32_t v : suspects_[1]) {
+	for (const std::uint32_t v : suspects_[kSecond]) {
 		const std::uint32_t twin = first.vertexAt(mesh_.points[v]);
 		if (twin != kEmpty) {
 			moves.push_back({v, twin});
@@ -275,7 +280,7 @@ Status CornerWelder::weldSecondToFirst() {
 	const std::vector<bool> used = usedByFirst();
 	const auto isUnused = [&used](const Move& move) { return !used[move.to]; };
 	moves.erase(std::remove_if(moves.begin(), moves.end(), isUnused), moves.end());
-	return replaceCorners(moves, mesh_.faceBegin[1]);
+	return replaceCorners(moves, mesh_.faceOffsets.begin(kSecond));
 }
 
 }  // namespace index_boolean

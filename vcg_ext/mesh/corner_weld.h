@@ -35,7 +35,7 @@ public:
 
 	// Replaces each corner by the first vertex of its operand with the same coordinates.
 	// \param welded which operands have two vertices in one place
-	Status weldWithinOperands(std::array<bool, 2>& welded);
+	Status weldWithinOperands(PerOperand<bool>& welded);
 
 	// Where vertices of both operands coincide, they are one vertex from here on. A vertex that no
 	// face of the first operand uses (any more) is none of its vertices.
@@ -53,7 +53,7 @@ private:
 	MeshArrays& mesh_;
 	int threads_;
 	Monitor& monitor_;
-	std::array<std::vector<std::uint32_t>, 2> suspects_;  // per operand, ascending
+	PerOperand<std::vector<std::uint32_t>> suspects_;  // per operand, ascending
 };
 
 }  // namespace index_boolean

@@ -20,27 +20,31 @@ VertexId cornerIn(const SurfaceView& surface, std::uint32_t begin, std::uint32_t
 
 }  // namespace
 
-Status joinSurfaces(const std::array<SurfaceView, 2>& surfaces, int threads, Monitor& monitor,
+Status joinSurfaces(const std::vector<SurfaceView>& surfaces, int threads, Monitor& monitor,
                     MeshArrays& out) try {
 	out = MeshArrays{};
-	Status status = checkCounts(surfaces[0].pointCount + surfaces[1].pointCount,
-	                            surfaces[0].triangleCount + surfaces[1].triangleCount);
-	for (std::size_t k = 0; k < 2 && status.ok(); ++k) {
-		const SurfaceView& surface = surfaces[k];
-		const std::uint32_t begin = out.vertexBegin[k];
-		out.vertexBegin[k + 1] = begin + static_cast<std::uint32_t>(surface.pointCount);
-		out.faceBegin[k + 1] = out.faceBegin[k] + static_cast<std::uint32_t>(surface.triangleCount);
+	out.vertexOffsets = OperandOffsets(surfaces.size());
+	out.faceOffsets = OperandOffsets(surfaces.size());
+	out.faceClass = PerOperand<std::vector<std::uint32_t>>(surfaces.size());
+	std::size_t pointCount = 0, faceCount = 0;
+	Status status;
+	for (const OperandId operand : out.operands()) {
+		pointCount += surfaces[operand.value].pointCount;
+		faceCount += surfaces[operand.value].triangleCount;
+		status = checkCounts(pointCount, faceCount);
+		if (!status.ok()) {
+			return status;
+		}
+		out.vertexOffsets.setEnd(operand, pointCount);
+		out.faceOffsets.setEnd(operand, faceCount);
 	}
-	if (!status.ok()) {
-		return status;
-	}
-	out.points.resize(out.vertexBegin[2]);
-	out.triangles.resize(out.faceBegin[2]);
-	for (std::size_t k = 0; k < 2 && status.ok(); ++k) {
+	out.points.resize(pointCount);
+	out.triangles.resize(faceCount);
+	for (std::size_t k = 0; k < surfaces.size() && status.ok(); ++k) {
 		const SurfaceView& surface = surfaces[k];
-		const std::uint32_t first = out.vertexBegin[k];
+		const std::uint32_t first = out.vertexOffsets.begin(makeId<OperandTag>(k));
 		Point* points = out.points.data() + first;
-		Triangle* triangles = out.triangles.data() + out.faceBegin[k];
+		Triangle* triangles = out.triangles.data() + out.faceOffsets.begin(makeId<OperandTag>(k));
 		status = parallelFor(
 		    surface.pointCount, kGrain, threads, monitor, [&](std::size_t begin, std::size_t end) {
 			    std::copy(surface.points + begin, surface.points + end, points + begin);

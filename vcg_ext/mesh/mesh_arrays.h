@@ -1,13 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The Index Boolean authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The arrays that the core works on: both operands' points and triangles in one numbering.
-// in: two surfaces as plain arrays (or, by mesh_arrays_vcg.h, any vcg::tri::TriMesh); out: one
+// The arrays that the core works on: all operands' points and triangles in one numbering.
+// in: surfaces as plain arrays (or, by mesh_arrays_vcg.h, any vcg::tri::TriMesh); out: one
 // MeshArrays. Guarantee: no coordinate is changed.
 #pragma once
 
 #include "vcg_ext/base/mesh_types.h"
 #include "vcg_ext/base/monitor.h"
+#include "vcg_ext/base/per_operand.h"
 #include "vcg_ext/base/status.h"
 
 #include <vector>
@@ -17,20 +18,19 @@ namespace index_boolean {
 // Whether a face coincides with one of the other operand's, and how that one is turned.
 enum class Twin : std::uint8_t { None, SameWay, Opposite };
 
-// Operand k has the vertices [vertexBegin[k], vertexBegin[k + 1]) and the faces
-// [faceBegin[k], faceBegin[k + 1]). Triangles hold global vertex ids. Once welded, faces of the
-// second operand may use vertices of the first, where both have one in the same place.
+// Any number of operands. Triangles hold global vertex ids. Once welded, faces of an operand may
+// use vertices of one before it, where both have one in the same place.
 struct MeshArrays {
 	Points points;
 	Triangles triangles;
-	std::array<std::uint32_t, 3> vertexBegin{};
-	std::array<std::uint32_t, 3> faceBegin{};
+	OperandOffsets vertexOffsets;  // among the points
+	OperandOffsets faceOffsets;    // among the triangles
 	// Per face, bit i: the edge from its corner i on lies inside a polygon, which is one face to
 	// the user (vcglib's faux edges). Empty if there is none.
 	std::vector<std::uint8_t> faux;
 	// Per operand and face as given: with options.mergeCoplanar, only faces of one class become
 	// one. Empty: all faces are of one class.
-	std::array<std::vector<std::uint32_t>, 2> faceClass;
+	PerOperand<std::vector<std::uint32_t>> faceClass;
 	// Once looked for, and only if there are any: a vertex is quiet if every face at it has a twin,
 	// a face if its corners are. Nothing is known of the twins of other faces.
 	std::vector<Twin> quietFaces;
@@ -42,7 +42,8 @@ struct MeshArrays {
 	bool isQuiet(VertexId v) const {
 		return v.value < quietVertices.size() && at(quietVertices, v) != 0;
 	}
-	int operandOf(FaceId face) const { return face.value < faceBegin[1] ? 0 : 1; }
+	Operands operands() const { return faceOffsets.operands(); }
+	OperandId operandOf(FaceId face) const { return faceOffsets.operandOf(face.value); }
 };
 
 // A surface in a caller's arrays: triangles index the points.
@@ -59,13 +60,11 @@ SurfaceView viewOf(const PointArray& points, const TriangleArray& triangles) {
 	return {points.data(), points.size(), triangles.data(), triangles.size()};
 }
 
-// Copies two surfaces into the arrays of one run. Corners are taken as they are: one that names no
-// point of its own surface names none of its operand afterwards, and is found when the operands are
-// prepared.
-// \param threads 0: as many as OpenMP gives
-// \param out     replaced
+// Copies surfaces, each an operand, into the arrays of one run. Corners are taken as they are: one
+// that names no point of its own surface names none of its operand afterwards, and is found when
+// the operands are prepared. \param threads 0: as many as OpenMP gives \param out     replaced
 // \return Ok, Cancelled, OutOfMemory, or TooLarge. Complexity: O(n), in parallel.
-Status joinSurfaces(const std::array<SurfaceView, 2>& surfaces, int threads, Monitor& monitor,
+Status joinSurfaces(const std::vector<SurfaceView>& surfaces, int threads, Monitor& monitor,
                     MeshArrays& out);
 
 // The mask of a face's faux edges, a bit for the edge from each corner on.

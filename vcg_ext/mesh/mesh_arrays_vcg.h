@@ -95,20 +95,15 @@ private:
 };
 
 // Makes room in the arrays for an operand's elements behind those that are there.
-inline void growArrays(std::size_t vertexCount, std::size_t faceCount, int operand,
+inline void growArrays(std::size_t vertexCount, std::size_t faceCount, OperandId operand,
                        MeshArrays& out) {
-	const auto first = static_cast<std::size_t>(operand);
-	out.vertexBegin[first] = static_cast<std::uint32_t>(out.points.size());
-	out.faceBegin[first] = static_cast<std::uint32_t>(out.triangles.size());
 	out.points.resize(out.points.size() + vertexCount);
 	out.triangles.resize(out.triangles.size() + faceCount);
 	if (!out.faux.empty()) {
 		out.faux.resize(out.triangles.size(), 0);
 	}
-	for (std::size_t end = first + 1; end < out.vertexBegin.size(); ++end) {
-		out.vertexBegin[end] = static_cast<std::uint32_t>(out.points.size());
-		out.faceBegin[end] = static_cast<std::uint32_t>(out.triangles.size());
-	}
+	out.vertexOffsets.setEnd(operand, out.points.size());
+	out.faceOffsets.setEnd(operand, out.triangles.size());
 }
 
 // Which elements of a mesh an operand was read from, and what was noticed on the way.
@@ -133,17 +128,17 @@ Status appendFauxEdges(const TriMesh& mesh, const LiveElements& faces, Monitor& 
 	    });
 }
 
-// Reads a mesh as the next operand: operand 0 into empty arrays, then operand 1.
+// Reads a mesh as the next operand: the first into arrays without points, the others behind it.
 // \param transform applied to each vertex by vcglib's product; faces keep their corners' order
-// \param operand   0 or 1
-// \param out       both operands' arrays
+// \param operand   whose offsets out has place for
+// \param out       all operands' arrays
 // \param elements  replaced
 // \return Ok, Cancelled, or TooLarge before anything is read. Throws std::bad_alloc.
 // Complexity: O(n), in parallel.
 template <class TriMesh>
-Status appendOperand(const TriMesh& mesh,
-                     const vcg::Matrix44<typename TriMesh::ScalarType>& transform, int operand,
-                     Monitor& monitor, MeshArrays& out, OperandElements& elements) {
+Status
+appendOperand(const TriMesh& mesh, const vcg::Matrix44<typename TriMesh::ScalarType>& transform,
+              OperandId operand, Monitor& monitor, MeshArrays& out, OperandElements& elements) {
 	Status status = checkCounts(out.points.size() + static_cast<std::size_t>(mesh.vn),
 	                            out.triangles.size() + static_cast<std::size_t>(mesh.fn));
 	if (!status.ok()) {

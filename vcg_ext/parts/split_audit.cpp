@@ -45,7 +45,7 @@ private:
 
 // The volume of the blocks in an operand less its own: 0 but for roundings, as also where it is
 // open.
-double lawDifference(const Arrangement& arrangement, const SubBlocks& blocks, std::size_t operand) {
+double lawDifference(const Arrangement& arrangement, const SubBlocks& blocks, OperandId operand) {
 	double sum = 0;
 	for (const SubBlock& block : blocks.all) {
 		sum += block.windings[operand] * block.volume;
@@ -66,13 +66,15 @@ Status auditSubBlocks(const Arrangement& arrangement, const SubSurfaces& surface
 	const Rounding inside(box, OutputScalar::Double), delivered(box, options.outputScalar);
 	bool right = true;
 	double most = 0;
-	for (std::size_t operand = 0; operand < 2; ++operand) {
+	double total = 0;
+	for (const OperandId operand : arrangement.volume.operands()) {
+		total += arrangement.volume[operand];
 		const double difference = lawDifference(arrangement, blocks, operand);
 		right = right && inside.explains(difference, 2 * surfaces.complex.faces.size());
 		most = std::max(most, std::fabs(difference));
 	}
 	// Of volumes beyond the range of double no law tells anything; closedness is what counts then.
-	const double residual = most / (arrangement.volume[0] + arrangement.volume[1]);
+	const double residual = most / total;
 	out.volumeLawResidual = std::isfinite(residual) ? residual : 0;
 	for (std::size_t i = 0; i < boundaries.size() && status.ok(); ++i) {
 		const SplitMesh& mesh = boundaries[i];

@@ -169,7 +169,7 @@ Status Collector::run() {
 }  // namespace
 
 Status collectSubSurfaces(const Arrangement& arrangement, const SubSurfaces& surfaces,
-                          const SubBlocks& blocks, std::size_t operand, Monitor& monitor,
+                          const SubBlocks& blocks, OperandId operand, Monitor& monitor,
                           SplitMesh& out) {
 	out = SplitMesh{};
 	Collector collector(arrangement, surfaces, blocks, monitor, out);
@@ -177,7 +177,7 @@ Status collectSubSurfaces(const Arrangement& arrangement, const SubSurfaces& sur
 	collector.expect(faces.size());
 	const auto choose = [&](std::size_t begin, std::size_t end) {
 		for (std::size_t f = begin; f < end; ++f) {
-			const FaceId source = faces[f].sources[operand];
+			const FaceId source = faces[f].sources[operand.value];
 			if (source != FaceId::none()) {
 				const bool isOther = source != faces[f].source();
 				collector.choose(

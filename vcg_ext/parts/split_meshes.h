@@ -20,7 +20,7 @@ struct SplitMesh : SourcedMesh {
 // The mesh of all sub-surfaces of one operand: that operand with its cuts, turned as it was given.
 // \return Ok, Cancelled, OutOfMemory, InternalError. Complexity: O(n).
 Status collectSubSurfaces(const Arrangement& arrangement, const SubSurfaces& surfaces,
-                          const SubBlocks& blocks, std::size_t operand, Monitor& monitor,
+                          const SubBlocks& blocks, OperandId operand, Monitor& monitor,
                           SplitMesh& out);
 
 // The boundary of one sub-block, which lies behind all faces; what dangles in it is left out.

@@ -41,8 +41,8 @@ private:
 	void numberBlocks();
 	void fillBlocks();
 	Status findWindings();
-	Status refuseWindings(std::size_t operand, std::uint32_t surface) const;
-	int windingStep(std::size_t operand, std::uint32_t surface) const;
+	Status refuseWindings(OperandId operand, std::uint32_t surface) const;
+	int windingStep(OperandId operand, std::uint32_t surface) const;
 
 	std::uint32_t surfaceOf(std::uint32_t face) const { return surfaces_.ofFace[face].value; }
 	std::uint32_t sideOf(std::uint32_t face, bool isBack) const {
@@ -237,35 +237,34 @@ void Assembler::fillBlocks() {
 }
 
 // How an operand's winding number rises from the front of a sub-surface to its back.
-int Assembler::windingStep(std::size_t operand, std::uint32_t surface) const {
+int Assembler::windingStep(OperandId operand, std::uint32_t surface) const {
 	const std::uint32_t first = surfaces_.faces[surfaces_.all[surface].firstFace];
 	const RefinedFace& face = complex_.faces[first];
-	if (!arrangement_.closed[operand] || face.sources[operand] == FaceId::none()) {
+	if (!arrangement_.closed[operand] || face.sources[operand.value] == FaceId::none()) {
 		return 0;
 	}
-	const bool isOther = operand == 1 && face.sources[0] != FaceId::none() && face.opposed;
+	const bool isOther = operand == kSecond && face.sources[0] != FaceId::none() && face.opposed;
 	const bool runsAlike = isOther == (surfaces_.turned[first] != 0);
 	return runsAlike != arrangement_.turned[operand] ? 1 : -1;
 }
 
 // A closed operand that does not part space consistently intersects itself.
-Status Assembler::refuseWindings(std::size_t operand, std::uint32_t surface) const {
+Status Assembler::refuseWindings(OperandId operand, std::uint32_t surface) const {
 	const SubSurface& wrong = surfaces_.all[surface];
 	std::vector<FaceId> faces;
 	VertexId corner{};
 	for (std::uint32_t i = wrong.firstFace; i < wrong.firstFace + wrong.faceCount; ++i) {
 		const RefinedFace& face = complex_.faces[surfaces_.faces[i]];
-		faces.push_back(face.sources[operand]);
+		faces.push_back(face.sources[operand.value]);
 		corner = face.corners[0];
 	}
-	return selfIntersecting(arrangement_, static_cast<int>(operand), faces,
-	                        arrangement_.coordinates(corner));
+	return selfIntersecting(arrangement_, operand, faces, arrangement_.coordinates(corner));
 }
 
 // Goes from block to block through the sub-surfaces between them, from the outside on.
 Status Assembler::findWindings() {
 	const std::size_t outside = out_.all.size();
-	std::vector<std::array<std::int32_t, 2>> windings(outside + 1);
+	std::vector<PerOperand<std::int32_t>> windings(outside + 1);
 	std::vector<std::uint8_t> known(outside + 1);
 	std::vector<std::size_t> reached{outside};
 	known[outside] = 1;
@@ -284,8 +283,8 @@ Status Assembler::findWindings() {
 		for (const std::uint32_t s : around[block]) {
 			const bool toBack = blockAt(s, 0) == block;
 			const std::size_t next = blockAt(s, toBack ? 1 : 0);
-			std::array<std::int32_t, 2> there = windings[block];
-			for (std::size_t operand = 0; operand < 2; ++operand) {
+			PerOperand<std::int32_t> there = windings[block];
+			for (const OperandId operand : there.operands()) {
 				there[operand] += (toBack ? 1 : -1) * windingStep(operand, s);
 				if (known[next] != 0 && windings[next][operand] != there[operand]) {
 					return refuseWindings(operand, s);

@@ -26,10 +26,10 @@ struct SubSurfaceSide {
 
 struct SubBlock {
 	double volume;
-	double area;                           // of its boundary
-	std::vector<SubSurfaceSide> sides;     // that bound it, ascending
-	std::vector<SubSurfaceId> dangling;    // with this block on both sides
-	std::array<std::int32_t, 2> windings;  // of each operand around it; 0 if that is open
+	double area;                         // of its boundary
+	std::vector<SubSurfaceSide> sides;   // that bound it, ascending
+	std::vector<SubSurfaceId> dangling;  // with this block on both sides
+	PerOperand<std::int32_t> windings;   // of each operand around it; 0 if that is open
 };
 
 struct SubBlocks {

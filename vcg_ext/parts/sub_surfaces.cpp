@@ -244,8 +244,8 @@ void Finder::addSubSurface(std::uint32_t smallest) {
 	const SubSurfaceId id = makeId<SubSurfaceTag>(out_.all.size());
 	SubSurface surface{};
 	surface.number = {-1, -1};
-	for (std::size_t operand = 0; operand < 2; ++operand) {
-		if (complex_.faces[smallest].sources[operand] != FaceId::none()) {
+	for (const OperandId operand : out_.ofOperand.operands()) {
+		if (complex_.faces[smallest].sources[operand.value] != FaceId::none()) {
 			surface.number[operand] = static_cast<std::int32_t>(out_.ofOperand[operand].size());
 			out_.ofOperand[operand].push_back(id);
 		}

@@ -26,7 +26,7 @@ struct BoundaryCycle {
 // Triangles that hang together, all with the same owners: a part of one operand, or of both where
 // they coincide.
 struct SubSurface {
-	std::array<std::int32_t, 2> number;    // its id among the sub-surfaces of each operand, or -1
+	PerOperand<std::int32_t> number;       // its id among the sub-surfaces of each operand, or -1
 	std::uint32_t firstFace, faceCount;    // SubSurfaces::faces[firstFace .. + faceCount)
 	std::uint32_t firstCycle, cycleCount;  // SubSurfaces::cycles[firstCycle .. + cycleCount)
 	std::uint32_t closedCycles;            // of these, the ones that are not slits
@@ -45,12 +45,12 @@ struct SubSurfaces {
 	// Per face of the complex: it is turned the other way than its sub-surface, whose front is that
 	// of its lexicographically smallest face.
 	HugeVector<std::uint8_t> turned;
-	HugeVector<std::uint32_t> faces;                     // of the complex, by sub-surface
-	std::array<std::vector<SubSurfaceId>, 2> ofOperand;  // by number
-	std::vector<BoundaryCycle> cycles;                   // by sub-surface
-	std::vector<std::vector<SubSurfaceId>> atLoop;       // per loop of the arrangement; ascending
-	std::vector<SurfaceSums> sums;                       // per sub-surface, seen from its front
-	SumFrame frame;                                      // of the sums
+	HugeVector<std::uint32_t> faces;                  // of the complex, by sub-surface
+	PerOperand<std::vector<SubSurfaceId>> ofOperand;  // by number
+	std::vector<BoundaryCycle> cycles;                // by sub-surface
+	std::vector<std::vector<SubSurfaceId>> atLoop;    // per loop of the arrangement; ascending
+	std::vector<SurfaceSums> sums;                    // per sub-surface, seen from its front
+	SumFrame frame;                                   // of the sums
 };
 
 // Finds the sub-surfaces of an arrangement.

@@ -54,13 +54,14 @@ private:
 	template <class Visit>
 	void visitKeptPieces(Visit&& visit) const;
 
-	const Rule& rule(std::size_t operand, Label label) const {
-		return rules_[operand][static_cast<std::size_t>(label)];
+	const Rule& rule(OperandId operand, Label label) const {
+		return rules_[operand.value][static_cast<std::size_t>(label)];
 	}
 	// Whether a vertex off the other operand is kept: its faces all have its label.
 	bool keepsVertex(std::size_t v) const {
 		const Label label = arrangement_.labels.vertex[v];
-		const std::size_t operand = v < arrangement_.mesh.vertexBegin[1] ? 0 : 1;
+		const OperandId operand =
+		    arrangement_.mesh.vertexOffsets.operandOf(static_cast<std::uint32_t>(v));
 		return (label == Label::Outside || label == Label::Inside) && rule(operand, label).kept;
 	}
 	// A quiet face has no piece and no vertex with a label: its twin tells. Of twins that face the
@@ -68,12 +69,12 @@ private:
 	const Rule& uncutRule(std::size_t face) const {
 		const MeshArrays& mesh = arrangement_.mesh;
 		const FaceId id = makeId<FaceTag>(face);
-		const auto operand = static_cast<std::size_t>(mesh.operandOf(id));
+		const OperandId operand = mesh.operandOf(id);
 		switch (mesh.quietTwin(id)) {
 		case Twin::None:
 			return rule(operand, at(arrangement_.labels.vertex, mesh.triangles[face][0]));
 		case Twin::SameWay:
-			return operand == 0 ? rule(operand, Label::OnSame) : kDrop;
+			return operand == kFirst ? rule(operand, Label::OnSame) : kDrop;
 		case Twin::Opposite:
 			return rule(operand, Label::OnOpposite);
 		}
@@ -162,7 +163,7 @@ void Collector::visitKeptPieces(Visit&& visit) const {
 		const std::size_t end = i + 1 < refinement.cutFaces.size()
 		                            ? refinement.cutFaces[i + 1].firstPiece
 		                            : refinement.pieces.size();
-		const auto operand = static_cast<std::size_t>(arrangement_.mesh.operandOf(cutFace.face));
+		const OperandId operand = arrangement_.mesh.operandOf(cutFace.face);
 		for (std::size_t piece = cutFace.firstPiece; piece < end; ++piece) {
 			const Rule& pieceRule = rule(operand, arrangement_.labels.piece[piece]);
 			if (pieceRule.kept && ownsPiece(piece)) {

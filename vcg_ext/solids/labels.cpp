@@ -31,25 +31,28 @@ public:
 
 private:
 	Status uniteNodes();
-	void uniteFaces(std::size_t operand);
+	void uniteFaces(OperandId operand);
 	void findComponents();
-	std::uint32_t countComponents(std::size_t operand) const;
+	std::uint32_t countComponents(OperandId operand) const;
 	Status checkComponents();
-	Status checkNesting(std::size_t operand);
+	Status checkNesting(OperandId operand);
 	Status labelBySegments();
 	Status labelBesides(std::size_t first, std::size_t last);
 	Status labelByRays();
-	Status labelClasses(std::size_t operand, std::vector<RayQuery>& queries);
+	Status labelClasses(OperandId operand, std::vector<RayQuery>& queries);
 	Status setLabel(NodeId node, Label label, FaceId face);
 	Status fill();
 
 	bool isFreeVertex(std::uint32_t v) const {
 		return arrangement_.labels.vertex[v] == Label::Unknown;
 	}
-	int operandOfRegion(NodeId region) const { return region < firstRegionOfSecond_ ? 0 : 1; }
+	OperandId operandOfRegion(NodeId region) const {
+		return region < firstRegionOfSecond_ ? kFirst : kSecond;
+	}
 	std::uint32_t nodeOf(FaceId face) const;
-	std::uint32_t cornerNode(std::size_t operand, VertexId v) const {
-		return static_cast<std::uint32_t>(nodes_.size() + operand * mesh_.points.size()) + v.value;
+	std::uint32_t cornerNode(OperandId operand, VertexId v) const {
+		return static_cast<std::uint32_t>(nodes_.size() + operand.value * mesh_.points.size()) +
+		       v.value;
 	}
 	std::uint32_t componentOf(FaceId face) const { return components_.root(nodeOf(face)); }
 
@@ -67,8 +70,7 @@ private:
 // components_ only.
 std::uint32_t Labeller::nodeOf(FaceId face) const {
 	if (mesh_.quietTwin(face) != Twin::None) {
-		return cornerNode(static_cast<std::size_t>(mesh_.operandOf(face)),
-		                  at(mesh_.triangles, face)[0]);
+		return cornerNode(mesh_.operandOf(face), at(mesh_.triangles, face)[0]);
 	}
 	if (at(refinement_.isCut, face) == 0) {
 		return at(mesh_.triangles, face)[0].value;
@@ -78,10 +80,11 @@ std::uint32_t Labeller::nodeOf(FaceId face) const {
 	return refinement_.pieceRegion[cut->firstPiece].value;
 }
 
-void Labeller::uniteFaces(std::size_t operand) {
+void Labeller::uniteFaces(OperandId operand) {
 	std::vector<Label>& label = arrangement_.labels.vertex;
 	const std::vector<std::uint8_t>& isCut = refinement_.isCut;
-	for (std::size_t f = mesh_.faceBegin[operand]; f < mesh_.faceBegin[operand + 1]; ++f) {
+	for (std::size_t f = mesh_.faceOffsets.begin(operand); f < mesh_.faceOffsets.end(operand);
+	     ++f) {
 		const Triangle& t = mesh_.triangles[f];
 		if (mesh_.quietTwin(makeId<FaceTag>(f)) != Twin::None) {
 			continue;
@@ -103,7 +106,7 @@ Status Labeller::uniteNodes() {
 	const Status status =
 	    parallelFor(2, 1, halves, monitor_, [this](std::size_t begin, std::size_t end) {
 		    for (std::size_t operand = begin; operand < end; ++operand) {
-			    uniteFaces(operand);
+			    uniteFaces(makeId<OperandTag>(operand));
 		    }
 	    });
 	for (const auto& link : refinement_.links) {
@@ -147,19 +150,19 @@ void Labeller::findComponents() {
 		components_.grow(nodes_.size() + 2 * mesh_.points.size());
 	}
 	for (const CutFace& cut : refinement_.cutFaces) {
-		if (mesh_.operandOf(cut.face) == 1) {
+		if (mesh_.operandOf(cut.face) == kSecond) {
 			firstRegionOfSecond_ = refinement_.pieceRegion[cut.firstPiece];
 			break;
 		}
 	}
-	std::array<NodeId, 2> last{};  // region of each operand at the segment that is looked at
+	PerOperand<NodeId> last;  // region of each operand at the segment that is looked at
 	for (std::size_t i = 0; i < refinement_.sides.size(); ++i) {
 		const SegmentSide& side = refinement_.sides[i];
 		if (i == 0 || side.segment != refinement_.sides[i - 1].segment) {
-			last.fill(NodeId::none());
+			last = {NodeId::none(), NodeId::none()};
 		}
 		for (const NodeId region : {side.left, side.right}) {
-			NodeId& previous = last[static_cast<std::size_t>(mesh_.operandOf(side.face))];
+			NodeId& previous = last[mesh_.operandOf(side.face)];
 			if (region != NodeId::none() && previous != NodeId::none()) {
 				components_.unite(region.value, previous.value);
 			}
@@ -167,12 +170,12 @@ void Labeller::findComponents() {
 		}
 	}
 	for (const auto& link : refinement_.cornerLinks) {
-		const auto operand = static_cast<std::size_t>(operandOfRegion(link[0]));
+		const OperandId operand = operandOfRegion(link[0]);
 		components_.unite(link[0].value, cornerNode(operand, {link[1].value}));
 	}
 	for (std::uint32_t f = 0; f < mesh_.quietFaces.size(); ++f) {
 		if (mesh_.quietFaces[f] != Twin::None) {
-			const auto operand = static_cast<std::size_t>(mesh_.operandOf({f}));
+			const OperandId operand = mesh_.operandOf({f});
 			const Triangle& t = mesh_.triangles[f];
 			components_.unite(
 			    {cornerNode(operand, t[0]), cornerNode(operand, t[1]), cornerNode(operand, t[2])});
@@ -188,12 +191,13 @@ struct ComponentList {
 };
 
 template <class ComponentOf>
-ComponentList listComponents(const MeshArrays& mesh, std::size_t operand, std::size_t nodeCount,
+ComponentList listComponents(const MeshArrays& mesh, OperandId operand, std::size_t nodeCount,
                              ComponentOf&& componentOf) {
 	constexpr std::size_t kSamples = 4;
 	ComponentList list;
 	std::vector<std::uint32_t> number(nodeCount, 0xffffffffu);
-	for (std::uint32_t f = mesh.faceBegin[operand]; f < mesh.faceBegin[operand + 1]; ++f) {
+	for (std::uint32_t f = mesh.faceOffsets.begin(operand); f < mesh.faceOffsets.end(operand);
+	     ++f) {
 		std::uint32_t& component = number[componentOf(FaceId{f})];
 		if (component == 0xffffffffu) {
 			component = static_cast<std::uint32_t>(list.samples.size());
@@ -208,15 +212,16 @@ ComponentList listComponents(const MeshArrays& mesh, std::size_t operand, std::s
 }
 
 // A component's root, its smallest node, is a vertex off the other operand if it has one at all.
-std::uint32_t Labeller::countComponents(std::size_t operand) const {
+std::uint32_t Labeller::countComponents(OperandId operand) const {
 	std::uint32_t count = 0;
-	for (std::uint32_t v = mesh_.vertexBegin[operand]; v < mesh_.vertexBegin[operand + 1]; ++v) {
+	for (std::uint32_t v = mesh_.vertexOffsets.begin(operand); v < mesh_.vertexOffsets.end(operand);
+	     ++v) {
 		count += isFreeVertex(v) && components_.root(v) == v ? 1 : 0;
 	}
 	std::vector<std::uint32_t> others;
 	for (const CutFace& cut : refinement_.cutFaces) {
 		const std::uint32_t root = components_.root(refinement_.pieceRegion[cut.firstPiece].value);
-		if (mesh_.operandOf(cut.face) == static_cast<int>(operand) && root >= mesh_.points.size()) {
+		if (mesh_.operandOf(cut.face) == operand && root >= mesh_.points.size()) {
 			others.push_back(root);
 		}
 	}
@@ -232,7 +237,7 @@ std::uint32_t Labeller::countComponents(std::size_t operand) const {
 
 Status Labeller::checkComponents() {
 	findComponents();
-	for (std::size_t operand = 0; operand < 2; ++operand) {
+	for (const OperandId operand : mesh_.operands()) {
 		const Status status = checkNesting(operand);
 		if (!status.ok()) {
 			return status;
@@ -242,11 +247,11 @@ Status Labeller::checkComponents() {
 }
 
 // The signs of the components' volumes, by their root.
-std::vector<int> volumeSigns(const MeshArrays& mesh, std::size_t operand,
+std::vector<int> volumeSigns(const MeshArrays& mesh, OperandId operand,
                              const std::vector<std::uint32_t>& componentOfFace,
                              std::size_t componentCount) {
 	std::vector<Bounded> sums(componentCount, Bounded(0));
-	const std::uint32_t first = mesh.faceBegin[operand];
+	const std::uint32_t first = mesh.faceOffsets.begin(operand);
 	const Point& reference = at(mesh.points, mesh.triangles[first][0]);
 	for (std::uint32_t i = 0; i < componentOfFace.size(); ++i) {
 		const Triangle& t = mesh.triangles[first + i];
@@ -275,7 +280,7 @@ std::vector<int> volumeSigns(const MeshArrays& mesh, std::size_t operand,
 
 // Shoots a ray from each query; those that start on a surface are tried again from other places.
 template <class Retry>
-Status castUntilDecided(const Arrangement& arrangement, std::size_t operand,
+Status castUntilDecided(const Arrangement& arrangement, OperandId operand,
                         const std::function<bool(std::size_t, FaceId)>& ignored, Monitor& monitor,
                         std::vector<RayQuery>& queries, Retry&& retry) {
 	constexpr std::size_t kRounds = 4;
@@ -315,8 +320,8 @@ RayQuery queryInside(FaceId face, std::size_t round) {
 }
 
 // A solid component must lie outside the operand's other components, a cavity inside them, once.
-Status Labeller::checkNesting(std::size_t operand) {
-	const std::uint32_t first = mesh_.faceBegin[operand];
+Status Labeller::checkNesting(OperandId operand) {
+	const std::uint32_t first = mesh_.faceOffsets.begin(operand);
 	arrangement_.labels.components[operand] = countComponents(operand);
 	if (arrangement_.labels.components[operand] < 2) {
 		return {};
@@ -356,7 +361,7 @@ Status Labeller::checkNesting(std::size_t operand) {
 		}
 	}
 	status.code = StatusCode::NestedComponents;
-	status.operand = static_cast<int>(operand);
+	status.operand = numberOf(operand);
 	finish(arrangement_, status, faces);
 	status.count = wrongCount;
 	return status;
@@ -374,7 +379,7 @@ Status Labeller::setLabel(NodeId node, Label label, FaceId face) {
 	status.code = StatusCode::SelfIntersecting;
 	std::vector<FaceId> faces;
 	if (face != FaceId::none()) {
-		status.operand = mesh_.operandOf(face);
+		status.operand = numberOf(mesh_.operandOf(face));
 		faces.push_back(face);
 	}
 	finish(arrangement_, status, faces);
@@ -387,7 +392,7 @@ Status Labeller::labelBesides(std::size_t first, std::size_t last) {
 	std::vector<LabelledHalfPlane> halfPlanes;
 	for (std::size_t i = first; i < last; ++i) {
 		const SegmentSide& side = refinement_.sides[i];
-		const bool onFirst = mesh_.operandOf(side.face) == 0;
+		const bool onFirst = mesh_.operandOf(side.face) == kFirst;
 		if (side.left != NodeId::none()) {
 			halfPlanes.push_back(
 			    {{side.face, true}, side.left, onFirst ? Label::Inside : Label::Outside});
@@ -404,14 +409,14 @@ Status Labeller::labelBesides(std::size_t first, std::size_t last) {
 		status.operand = wrong;
 		std::vector<FaceId> faces;
 		for (const LabelledHalfPlane& half : halfPlanes) {
-			if (mesh_.operandOf(half.face) == wrong) {
+			if (numberOf(mesh_.operandOf(half.face)) == wrong) {
 				faces.push_back(half.face);
 			}
 		}
 		finish(arrangement_, status, faces);
 	}
 	for (std::size_t i = 0; i < halfPlanes.size() && status.ok(); ++i) {
-		const bool onFirst = mesh_.operandOf(halfPlanes[i].face) == 0;
+		const bool onFirst = mesh_.operandOf(halfPlanes[i].face) == kFirst;
 		status =
 		    setLabel(halfPlanes[i].region, halfPlanes[i].label, onFirst ? segment.b : segment.a);
 	}
@@ -435,11 +440,11 @@ Status Labeller::labelBySegments() {
 }
 
 // Labels the queries' classes by their winding numbers in the other operand.
-Status Labeller::labelClasses(std::size_t operand, std::vector<RayQuery>& queries) {
+Status Labeller::labelClasses(OperandId operand, std::vector<RayQuery>& queries) {
 	const auto retry = [&queries](std::size_t query, std::size_t round) {
 		return queryInside(queries[query].inside, round);
 	};
-	Status status = castUntilDecided(arrangement_, 1 - operand, {}, monitor_, queries, retry);
+	Status status = castUntilDecided(arrangement_, otherOf(operand), {}, monitor_, queries, retry);
 	for (std::size_t i = 0; i < queries.size() && status.ok(); ++i) {
 		const RayQuery& query = queries[i];
 		const bool fromVertex = query.from != VertexId::none();
@@ -452,10 +457,10 @@ Status Labeller::labelClasses(std::size_t operand, std::vector<RayQuery>& querie
 		}
 		if (status.code == StatusCode::SelfIntersecting) {
 			// Which of the other operand's faces are to blame is not known: all are shown.
-			status.operand = static_cast<int>(1 - operand);
+			status.operand = numberOf(otherOf(operand));
 			std::vector<FaceId> faces;
-			for (std::uint32_t f = mesh_.faceBegin[1 - operand]; f < mesh_.faceBegin[2 - operand];
-			     ++f) {
+			for (std::uint32_t f = mesh_.faceOffsets.begin(otherOf(operand));
+			     f < mesh_.faceOffsets.end(otherOf(operand)); ++f) {
 				faces.push_back({f});
 			}
 			finish(arrangement_, status, faces);
@@ -469,10 +474,10 @@ Status Labeller::labelClasses(std::size_t operand, std::vector<RayQuery>& querie
 // A ray for every class that has a vertex off the other operand: its root, the smallest node, is
 // then one. And for every class without a label, which has a whole face since no segment bounds it.
 Status Labeller::labelByRays() {
-	for (std::size_t operand = 0; operand < 2; ++operand) {
+	for (const OperandId operand : mesh_.operands()) {
 		std::vector<RayQuery> queries;
-		for (std::uint32_t v = mesh_.vertexBegin[operand]; v < mesh_.vertexBegin[operand + 1];
-		     ++v) {
+		for (std::uint32_t v = mesh_.vertexOffsets.begin(operand);
+		     v < mesh_.vertexOffsets.end(operand); ++v) {
 			if (isFreeVertex(v) && nodes_.root(v) == v) {
 				queries.emplace_back();
 				queries.back().from = {v};
@@ -481,7 +486,7 @@ Status Labeller::labelByRays() {
 		std::vector<std::uint32_t> asked;
 		for (const CutFace& cut : refinement_.cutFaces) {
 			const std::uint32_t root = nodes_.root(refinement_.pieceRegion[cut.firstPiece].value);
-			const bool isOwn = mesh_.operandOf(cut.face) == static_cast<int>(operand);
+			const bool isOwn = mesh_.operandOf(cut.face) == operand;
 			if (isOwn && root >= mesh_.points.size() && label_[root] == Label::Unknown) {
 				label_[root] = Label::Unused;  // asked for: once is enough
 				asked.push_back(root);

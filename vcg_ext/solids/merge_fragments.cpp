@@ -166,7 +166,7 @@ void Merger::groupByParent() {
 
 // What the face must have in common with others to become one with them; see MeshArrays.
 std::array<std::uint32_t, 2> Merger::classOf(FaceId face) const {
-	const auto operand = static_cast<std::uint32_t>(mesh_.operandOf(face));
+	const OperandId operand = mesh_.operandOf(face);
 	const std::vector<std::uint32_t>& classes = mesh_.faceClass[operand];
 	return classes.empty() ? std::array{0u, 0u}
 	                       : std::array{1u, classes[arrangement_.givenFace(face)]};

@@ -42,7 +42,7 @@ public:
 private:
 	// What speaks for an operand: how its walls go on beyond an overlap.
 	struct Claims {
-		std::array<bool, 2> inUnion{}, inIntersection{};
+		PerOperand<bool> inUnion, inIntersection;
 	};
 
 	void listParents();
@@ -51,13 +51,13 @@ private:
 	void visitEdge(const PieceEdge* begin, const PieceEdge* end);
 	void listWalls();
 	void setOwners();
-	std::size_t ownerByShape(std::uint32_t overlap) const;
+	OperandId ownerByShape(std::uint32_t overlap) const;
 
 	bool isOverlap(std::uint32_t piece) const {
 		return arrangement_.labels.piece[piece] == Label::OnSame;
 	}
-	std::size_t operandOf(std::uint32_t piece) const {
-		return static_cast<std::size_t>(arrangement_.mesh.operandOf(parent_[piece]));
+	OperandId operandOf(std::uint32_t piece) const {
+		return arrangement_.mesh.operandOf(parent_[piece]);
 	}
 
 	Arrangement& arrangement_;
@@ -65,7 +65,7 @@ private:
 	std::vector<FaceId> parent_;  // per piece
 	UnionFind overlaps_;          // over pieces; sets: overlaps with their twins
 	std::vector<Claims> claims_;  // per overlap's root
-	std::vector<std::array<std::vector<Wall>, 2>> walls_;  // per overlap's root and operand
+	std::vector<PerOperand<std::vector<Wall>>> walls_;  // per overlap's root and operand
 };
 
 void Chooser::listParents() {
@@ -170,23 +170,24 @@ void Chooser::listWalls() {
 }
 
 // Faces that lie in the overlap as a whole need no cut; else fewer faces need fewer.
-std::size_t Chooser::ownerByShape(std::uint32_t overlap) const {
-	const auto& [first, second] = walls_[overlap];
+OperandId Chooser::ownerByShape(std::uint32_t overlap) const {
+	const std::vector<Wall>& first = walls_[overlap][kFirst];
+	const std::vector<Wall>& second = walls_[overlap][kSecond];
 	const auto isWhole = [](const Wall& wall) { return wall.isWhole; };
-	const std::array<bool, 2> whole{std::all_of(first.begin(), first.end(), isWhole),
-	                                std::all_of(second.begin(), second.end(), isWhole)};
-	if (whole[0] != whole[1]) {
-		return whole[1] ? 1 : 0;
+	const bool firstIsWhole = std::all_of(first.begin(), first.end(), isWhole);
+	const bool secondIsWhole = std::all_of(second.begin(), second.end(), isWhole);
+	if (firstIsWhole != secondIsWhole) {
+		return secondIsWhole ? kSecond : kFirst;
 	}
 	if (first.size() != second.size()) {
-		return second.size() < first.size() ? 1 : 0;
+		return second.size() < first.size() ? kSecond : kFirst;
 	}
-	return second < first ? 1 : 0;
+	return second < first ? kSecond : kFirst;
 }
 
 void Chooser::setOwners() {
-	constexpr std::size_t kUnknown = 2;
-	std::vector<std::size_t> byShape(parent_.size(), kUnknown);  // per overlap's root, once asked
+	std::vector<OperandId> byShape(parent_.size(),
+	                               OperandId::none());  // per overlap's root, once asked
 	std::vector<std::uint8_t>& owner = arrangement_.labels.owner;
 	owner.assign(parent_.size(), 0);
 	for (std::uint32_t piece = 0; piece < parent_.size(); ++piece) {
@@ -194,11 +195,11 @@ void Chooser::setOwners() {
 			continue;
 		}
 		const std::uint32_t overlap = overlaps_.root(piece);
-		std::size_t& shape = byShape[overlap];
-		shape = shape == kUnknown ? ownerByShape(overlap) : shape;
-		const auto owns = [&](const std::array<bool, 2>& claims) {
-			const std::size_t only = claims[1] ? 1 : 0;
-			return (claims[0] == claims[1] ? shape : only) == operandOf(piece);
+		OperandId& shape = byShape[overlap];
+		shape = shape == OperandId::none() ? ownerByShape(overlap) : shape;
+		const auto owns = [&](const PerOperand<bool>& claims) {
+			const OperandId only = claims[kSecond] ? kSecond : kFirst;
+			return (claims[kFirst] == claims[kSecond] ? shape : only) == operandOf(piece);
 		};
 		owner[piece] = static_cast<std::uint8_t>(
 		    (owns(claims_[overlap].inUnion) ? Labels::kOwnerInUnion : 0) |

@@ -121,7 +121,7 @@ private:
 
 }  // namespace
 
-Status castRays(const Arrangement& arrangement, std::size_t operand, const Ignored& ignored,
+Status castRays(const Arrangement& arrangement, OperandId operand, const Ignored& ignored,
                 Monitor& monitor, std::vector<RayQuery>& queries) {
 	constexpr std::size_t kGrain = 1 << 14;
 	if (queries.empty()) {
@@ -129,8 +129,8 @@ Status castRays(const Arrangement& arrangement, std::size_t operand, const Ignor
 	}
 	const MeshArrays& mesh = arrangement.mesh;
 	const Rays rays(mesh, ignored, queries);
-	const std::size_t first = mesh.faceBegin[operand];
-	const std::size_t count = mesh.faceBegin[operand + 1] - first;
+	const std::size_t first = mesh.faceOffsets.begin(operand);
+	const std::size_t count = mesh.faceOffsets.size(operand);
 	std::vector<std::vector<Found>> chunks(chunkCount(count, kGrain));
 	const Status status =
 	    parallelForChunks(count, kGrain, arrangement.options.threads, monitor,

@@ -24,11 +24,11 @@ struct RayQuery {
 };
 
 // Computes the winding number of one operand's faces around each query.
-// \param operand whose faces are counted, 0 or 1
+// \param operand whose faces are counted
 // \param ignored a face for which (query index, face) is true is not counted; may be empty
 // \return Ok, Cancelled, OutOfMemory, InternalError
 // Complexity: O(n + v log v + f n + hits) for n faces, v queries from vertices and f from faces.
-Status castRays(const Arrangement& arrangement, std::size_t operand,
+Status castRays(const Arrangement& arrangement, OperandId operand,
                 const std::function<bool(std::size_t query, FaceId face)>& ignored,
                 Monitor& monitor, std::vector<RayQuery>& queries);
 

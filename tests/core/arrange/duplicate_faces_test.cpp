@@ -21,34 +21,35 @@ Arrangement cleaned(const Mesh& a, const Mesh& b, int threads = 0) {
 	arrangement.options.threads = threads;
 	Monitor monitor;
 	EXPECT_TRUE(removeDuplicateFaces(arrangement, monitor).ok());
-	EXPECT_EQ(arrangement.mesh.faceBegin[2], arrangement.mesh.triangles.size());
+	EXPECT_EQ(arrangement.mesh.faceOffsets.total(), arrangement.mesh.triangles.size());
 	return arrangement;
 }
 
 // The faces of one operand, by vertices of that operand.
-IndexTriangles facesOf(const Arrangement& arrangement, std::size_t operand) {
+IndexTriangles facesOf(const Arrangement& arrangement, OperandId operand) {
 	const MeshArrays& mesh = arrangement.mesh;
 	IndexTriangles faces;
-	for (std::uint32_t face = mesh.faceBegin[operand]; face < mesh.faceBegin[operand + 1]; ++face) {
+	for (std::uint32_t face = mesh.faceOffsets.begin(operand); face < mesh.faceOffsets.end(operand);
+	     ++face) {
 		Corners corners{};
 		for (std::size_t i = 0; i < 3; ++i) {
-			corners[i] = mesh.triangles[face][i].value - mesh.vertexBegin[operand];
+			corners[i] = mesh.triangles[face][i].value - mesh.vertexOffsets.begin(operand);
 		}
 		faces.push_back(corners);
 	}
 	return faces;
 }
 
-std::vector<std::uint32_t> givenFaces(const Arrangement& arrangement, std::size_t operand) {
+std::vector<std::uint32_t> givenFaces(const Arrangement& arrangement, OperandId operand) {
 	std::vector<std::uint32_t> given;
-	for (std::uint32_t face = arrangement.mesh.faceBegin[operand];
-	     face < arrangement.mesh.faceBegin[operand + 1]; ++face) {
+	for (std::uint32_t face = arrangement.mesh.faceOffsets.begin(operand);
+	     face < arrangement.mesh.faceOffsets.end(operand); ++face) {
 		given.push_back(arrangement.givenFace({face}));
 	}
 	return given;
 }
 
-using Pair = std::array<std::size_t, 2>;
+using Pair = PerOperand<std::size_t>;
 
 const Mesh kUnit = box({0, 0, 0}, {1, 1, 1});
 
@@ -64,8 +65,8 @@ Mesh doubledWall() {
 TEST(DuplicateFaces, aMeshWithoutThemIsLeftAlone) {
 	for (const Mesh& mesh : {kUnit, sphere(30, {0, 0, 0}, 1), torus(9, 7, 2, 1)}) {
 		const Arrangement arrangement = cleaned(mesh, kUnit);
-		EXPECT_EQ(facesOf(arrangement, 0), mesh.triangles);
-		EXPECT_EQ(facesOf(arrangement, 1), kUnit.triangles);
+		EXPECT_EQ(facesOf(arrangement, kFirst), mesh.triangles);
+		EXPECT_EQ(facesOf(arrangement, kSecond), kUnit.triangles);
 		EXPECT_TRUE(arrangement.faceGiven.empty());
 		EXPECT_EQ(arrangement.duplicates.cancelledPairs, (Pair{0, 0}));
 		EXPECT_EQ(arrangement.duplicates.takenOnce, (Pair{0, 0}));
@@ -102,29 +103,29 @@ TEST(DuplicateFaces, aWallInBothDirectionsCancels) {
 	const Arrangement arrangement = cleaned(kUnit, two);
 	EXPECT_EQ(arrangement.duplicates.cancelledPairs, (Pair{0, 2}));
 	EXPECT_EQ(arrangement.duplicates.takenOnce, (Pair{0, 0}));
-	const IndexTriangles faces = facesOf(arrangement, 1);
+	const IndexTriangles faces = facesOf(arrangement, kSecond);
 	EXPECT_EQ(faces.size(), 20u);
 	EXPECT_TRUE(isClosed(faces));
 	EXPECT_DOUBLE_EQ(volumeOf(two.points, faces), 2);
-	EXPECT_EQ(facesOf(arrangement, 0), kUnit.triangles);
+	EXPECT_EQ(facesOf(arrangement, kFirst), kUnit.triangles);
 }
 
 TEST(DuplicateFaces, equalFacesAreTakenOnceWhereTheOperandIsClosedThatWay) {
 	Mesh oneTwice = kUnit;
 	oneTwice.triangles.insert(oneTwice.triangles.begin() + 5, {3, 0, 2});  // the first, rotated
 	const Arrangement one = cleaned(oneTwice, kUnit);
-	EXPECT_EQ(facesOf(one, 0), kUnit.triangles);
+	EXPECT_EQ(facesOf(one, kFirst), kUnit.triangles);
 	EXPECT_EQ(one.duplicates.takenOnce, (Pair{1, 0}));
-	EXPECT_EQ(givenFaces(one, 0),
+	EXPECT_EQ(givenFaces(one, kFirst),
 	          (std::vector<std::uint32_t>{0, 1, 2, 3, 4, 6, 7, 8, 9, 10, 11, 12}));
-	EXPECT_EQ(givenFaces(one, 1),
+	EXPECT_EQ(givenFaces(one, kSecond),
 	          (std::vector<std::uint32_t>{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11}));
 
 	Mesh allTwice = kUnit;
 	allTwice.triangles.insert(allTwice.triangles.end(), kUnit.triangles.begin(),
 	                          kUnit.triangles.end());
 	const Arrangement all = cleaned(kUnit, allTwice);
-	EXPECT_EQ(facesOf(all, 1), kUnit.triangles);
+	EXPECT_EQ(facesOf(all, kSecond), kUnit.triangles);
 	EXPECT_EQ(all.duplicates.takenOnce, (Pair{0, 12}));
 	EXPECT_EQ(all.duplicates.cancelledPairs, (Pair{0, 0}));
 }
@@ -151,7 +152,7 @@ TEST(DuplicateFaces, equalFacesOfAnOpenOperandStay) {
 	open.triangles.push_back(open.triangles[3]);
 	open.triangles.erase(open.triangles.begin());
 	const Arrangement arrangement = cleaned(open, kUnit);
-	EXPECT_EQ(facesOf(arrangement, 0), open.triangles);
+	EXPECT_EQ(facesOf(arrangement, kFirst), open.triangles);
 	EXPECT_EQ(arrangement.duplicates.takenOnce, (Pair{0, 0}));
 }
 
@@ -161,7 +162,7 @@ TEST(DuplicateFaces, oppositeFacesCancelBeforeEqualOnesAreCounted) {
 	thrice.triangles.push_back({3, 2, 0});
 	thrice.triangles.push_back({2, 3, 0});
 	const Arrangement arrangement = cleaned(thrice, kUnit);
-	EXPECT_EQ(facesOf(arrangement, 0), kUnit.triangles);
+	EXPECT_EQ(facesOf(arrangement, kFirst), kUnit.triangles);
 	EXPECT_EQ(arrangement.duplicates.cancelledPairs, (Pair{1, 0}));
 	EXPECT_EQ(arrangement.duplicates.takenOnce, (Pair{1, 0}));
 }
@@ -171,7 +172,7 @@ TEST(DuplicateFaces, anOperandThatCancelsAltogetherIsLeftToBeRefused) {
 	flat.points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
 	flat.triangles = {{0, 1, 2}, {0, 2, 1}};
 	const Arrangement arrangement = cleaned(flat, kUnit);
-	EXPECT_EQ(facesOf(arrangement, 0), flat.triangles);
+	EXPECT_EQ(facesOf(arrangement, kFirst), flat.triangles);
 	EXPECT_EQ(arrangement.duplicates.cancelledPairs, (Pair{0, 0}));
 }
 
@@ -189,11 +190,11 @@ TEST(DuplicateFaces, indicesAsGivenAreKeptFromBefore) {
 	for (std::uint32_t face = 0; face < 12; ++face) {
 		expected.push_back(100 + face);
 	}
-	EXPECT_EQ(givenFaces(arrangement, 0), expected);
+	EXPECT_EQ(givenFaces(arrangement, kFirst), expected);
 	for (std::uint32_t& face : expected) {
 		face += 13;
 	}
-	EXPECT_EQ(givenFaces(arrangement, 1), expected);
+	EXPECT_EQ(givenFaces(arrangement, kSecond), expected);
 }
 
 // What must be left of random faces, whose directions are told by the parity of their corners;
@@ -259,15 +260,15 @@ TEST(DuplicateFaces, randomFacesOnFewVerticesAgreeWithCounting) {
 			continue;
 		}
 		const Arrangement arrangement = cleaned(kUnit, mesh);
-		ASSERT_EQ(facesOf(arrangement, 1), expected);
-		const std::vector<std::uint32_t> given = givenFaces(arrangement, 1);
+		ASSERT_EQ(facesOf(arrangement, kSecond), expected);
+		const std::vector<std::uint32_t> given = givenFaces(arrangement, kSecond);
 		for (std::size_t i = 0; i < given.size(); ++i) {
-			ASSERT_EQ(facesOf(arrangement, 1)[i], mesh.triangles[given[i]]);
+			ASSERT_EQ(facesOf(arrangement, kSecond)[i], mesh.triangles[given[i]]);
 		}
 		const DuplicateFaces& counts = arrangement.duplicates;
 		ASSERT_EQ(mesh.triangles.size() - given.size(),
-		          2 * counts.cancelledPairs[1] + counts.takenOnce[1]);
-		once += counts.takenOnce[1] > 0 ? 1 : 0;
+		          2 * counts.cancelledPairs[kSecond] + counts.takenOnce[kSecond]);
+		once += counts.takenOnce[kSecond] > 0 ? 1 : 0;
 	}
 	EXPECT_GT(once, 50);
 	EXPECT_GT(overlapping, 10);
@@ -296,7 +297,7 @@ TEST(DuplicateFaces, fewAmongManyFacesAreFoundWithAnyNumberOfThreads) {
 		}
 		for (const int threads : {1, 2, 8}) {
 			const Arrangement arrangement = cleaned(doubled, clean, threads);
-			EXPECT_EQ(givenFaces(arrangement, 0), expected);
+			EXPECT_EQ(givenFaces(arrangement, kFirst), expected);
 			EXPECT_EQ(arrangement.duplicates.cancelledPairs, (Pair{20, 0}));
 		}
 	}

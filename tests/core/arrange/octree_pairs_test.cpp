@@ -68,10 +68,10 @@ double halfSizeOfCommonBox(const MeshArrays& mesh) {
 	for (std::size_t axis = 0; axis < 3; ++axis) {
 		double lo = -std::numeric_limits<double>::infinity();
 		double hi = -lo;
-		for (std::size_t k = 0; k < 2; ++k) {
-			double first = mesh.points[mesh.vertexBegin[k]][axis];
+		for (const OperandId k : mesh.operands()) {
+			double first = mesh.points[mesh.vertexOffsets.begin(k)][axis];
 			double last = first;
-			for (std::size_t v = mesh.vertexBegin[k]; v < mesh.vertexBegin[k + 1]; ++v) {
+			for (std::size_t v = mesh.vertexOffsets.begin(k); v < mesh.vertexOffsets.end(k); ++v) {
 				first = std::min(first, mesh.points[v][axis]);
 				last = std::max(last, mesh.points[v][axis]);
 			}
@@ -105,8 +105,8 @@ std::size_t expectAllPairs(const Mesh& first, const Mesh& second) {
 	const std::vector<Box> boxes = faceBoxes(mesh);
 	Pairs expected;
 	std::size_t boxesMeet = 0;
-	for (std::uint32_t a = 0; a < mesh.faceBegin[1]; ++a) {
-		for (std::uint32_t b = mesh.faceBegin[1]; b < mesh.faceBegin[2]; ++b) {
+	for (std::uint32_t a = 0; a < mesh.faceOffsets.begin(kSecond); ++a) {
+		for (std::uint32_t b = mesh.faceOffsets.begin(kSecond); b < mesh.faceOffsets.total(); ++b) {
 			if (gap(boxes[a], boxes[b]) > 0) {
 				continue;
 			}

@@ -72,8 +72,8 @@ TEST(Operands, aShellThereTwiceIsOneAndAWallInBothDirectionsIsNone) {
 	const Mesh two = joined(kUnit, box({1, 0, 0}, {2, 1, 1}));
 	const BooleanRun r = run(twice, two);
 	ASSERT_TRUE(r.status.ok()) << describe(r.status);
-	EXPECT_EQ(r.arrangement.duplicates.takenOnce, (std::array<std::size_t, 2>{12, 0}));
-	EXPECT_EQ(r.arrangement.duplicates.cancelledPairs, (std::array<std::size_t, 2>{0, 2}));
+	EXPECT_EQ(r.arrangement.duplicates.takenOnce, (PerOperand<std::size_t>{12, 0}));
+	EXPECT_EQ(r.arrangement.duplicates.cancelledPairs, (PerOperand<std::size_t>{0, 2}));
 	EXPECT_DOUBLE_EQ(r.volume(Operation::Union), 2);
 	EXPECT_DOUBLE_EQ(r.volume(Operation::Intersection), 1);
 	EXPECT_DOUBLE_EQ(r.volume(Operation::SecondMinusFirst), 1);

@@ -36,7 +36,7 @@ struct Sources {
 		return mean;
 	}
 	static Triangle triangle(const MeshArrays& arrays, GivenFace face) {
-		return arrays.triangles[arrays.faceBegin[face.operand] + face.index];
+		return arrays.triangles[arrays.faceOffsets.begin(face.operand) + face.index];
 	}
 };
 
@@ -165,13 +165,13 @@ TEST(AttributeSources, areExactInNeedles) {
 TEST(AttributeSources, ofACommonVertexAreThoseOfTheFirst) {
 	const Sources s =
 	    sourcesOf(box({0, 0, 0}, {4, 4, 4}), box({1, 2, 3}, {5, 6, 7}), Operation::Union);
-	const auto operandOf = [&](std::size_t v) -> std::uint32_t {
+	const auto operandOf = [&](std::size_t v) {
 		return s.sources.isMix(v) ? s.sources.mixOfVertex(v).face.operand
-		                          : (s.sources.vertex[v] < s.given.vertexBegin[1] ? 0 : 1);
+		                          : s.given.vertexOffsets.operandOf(s.sources.vertex[v]);
 	};
 	for (std::size_t f = 0; f < s.block.triangles.size(); ++f) {
 		for (const std::uint32_t v : s.block.triangles[f]) {
-			EXPECT_LE(operandOf(v), s.sources.face[f].operand);
+			EXPECT_LE(operandOf(v).value, s.sources.face[f].operand.value);
 		}
 	}
 }
@@ -214,7 +214,7 @@ TEST(Seams, stayApartAlsoAtNewVertices) {
 	std::map<Point, std::set<std::uint32_t>> verticesAt;
 	for (std::size_t f = 0; f < apart.block.triangles.size(); ++f) {
 		for (const std::uint32_t v : apart.block.triangles[f]) {
-			if (apart.sources.face[f].operand == 0) {
+			if (apart.sources.face[f].operand == kFirst) {
 				wallsOf[apart.block.points[v]].insert(apart.sources.face[f].index / 2);
 				verticesAt[apart.block.points[v]].insert(v);
 			}
@@ -258,8 +258,8 @@ TEST(DuplicatedCurve, givesEachOperandItsOwnVertices) {
 	expectTrue(s);
 	std::array<std::set<std::uint32_t>, 2> used;
 	for (std::size_t f = 0; f < s.block.triangles.size(); ++f) {
-		used[s.sources.face[f].operand].insert(s.block.triangles[f].begin(),
-		                                       s.block.triangles[f].end());
+		used[s.sources.face[f].operand.value].insert(s.block.triangles[f].begin(),
+		                                             s.block.triangles[f].end());
 	}
 	for (const std::uint32_t v : used[0]) {
 		EXPECT_EQ(used[1].count(v), 0u);

@@ -32,8 +32,8 @@ TEST(JoinSurfaces, arraysAreThoseOfBothOperandsForAnyThreads) {
 			ASSERT_TRUE(join(a, b, threads, joined).ok());
 			EXPECT_EQ(joined.points, expected.points);
 			EXPECT_EQ(joined.triangles, expected.triangles);
-			EXPECT_EQ(joined.vertexBegin, expected.vertexBegin);
-			EXPECT_EQ(joined.faceBegin, expected.faceBegin);
+			EXPECT_EQ(joined.vertexOffsets, expected.vertexOffsets);
+			EXPECT_EQ(joined.faceOffsets, expected.faceOffsets);
 			EXPECT_TRUE(joined.faux.empty());
 		}
 	}
@@ -104,5 +104,35 @@ TEST(PageReuse, givesTheSameMemoryAgain) {
 	EXPECT_EQ(reinterpret_cast<std::uintptr_t>(first) % 4096, 0u);
 }
 #endif
+
+TEST(JoinSurfaces, takesThreeOperands) {
+	const Mesh box = shapes::box({0, 0, 0}, {1, 1, 1});
+	const SurfaceView view = viewOf(box.points, box.triangles);
+	Monitor monitor;
+	MeshArrays joined;
+	ASSERT_TRUE(joinSurfaces({view, view, view}, 0, monitor, joined).ok());
+	EXPECT_EQ(joined.vertexOffsets, (OperandOffsets{8, 16, 24}));
+	EXPECT_EQ(joined.faceOffsets, (OperandOffsets{12, 24, 36}));
+	EXPECT_EQ(joined.operands().count(), 3u);
+	EXPECT_EQ(joined.faceClass.size(), 3u);
+	for (std::uint32_t f = 0; f < joined.triangles.size(); ++f) {
+		const OperandId operand = joined.operandOf({f});
+		EXPECT_EQ(operand.value, f / 12);
+		EXPECT_EQ(joined.triangles[f][0].value / 8, operand.value);
+	}
+}
+
+TEST(OperandOffsets, ofOperandsWithoutElementsNameNone) {
+	OperandOffsets offsets(4);
+	EXPECT_EQ(offsets.total(), 0u);
+	offsets.setEnd({1}, 5);
+	offsets.setEnd({3}, 7);
+	EXPECT_EQ(offsets, (OperandOffsets{0, 5, 5, 7}));
+	EXPECT_EQ(offsets.operandOf(0), OperandId{1});
+	EXPECT_EQ(offsets.operandOf(4), OperandId{1});
+	EXPECT_EQ(offsets.operandOf(5), OperandId{3});
+	EXPECT_EQ(offsets.begin({3}), 5u);
+	EXPECT_EQ(offsets.size({2}), 0u);
+}
 
 }  // namespace

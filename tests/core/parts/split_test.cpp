@@ -34,7 +34,8 @@ SplitRun splitOf(const Mesh& a, const Mesh& b, Options options = {}) {
 		r.status = split(r.arrangement, monitor, r.split);
 	}
 	for (std::size_t k = 0; k < 2 && r.status.ok(); ++k) {
-		r.status = extractSubSurfaces(r.arrangement, r.split, k, monitor, r.surfaces[k]);
+		r.status = extractSubSurfaces(r.arrangement, r.split, makeId<OperandTag>(k), monitor,
+		                              r.surfaces[k]);
 	}
 	for (std::uint32_t i = 0; i < r.split.blocks.all.size() && r.status.ok(); ++i) {
 		r.blocks.emplace_back();
@@ -99,16 +100,17 @@ void expectLaws(const SplitRun& r, const Mesh& a, const Mesh& b) {
 		scale += block.volume;
 	}
 	for (std::size_t k = 0; k < 2; ++k) {
+		const auto operand = makeId<OperandTag>(k);
 		double area = 0, volume = 0;
-		for (const SubSurfaceId s : surfaces.ofOperand[k]) {
+		for (const SubSurfaceId s : surfaces.ofOperand[operand]) {
 			area += at(surfaces.all, s).area;
 		}
 		EXPECT_NEAR(area, areaOf(*meshes[k]), 1e-12 * areaOf(*meshes[k]));
-		EXPECT_EQ(r.arrangement.closed[k], isClosed(meshes[k]->triangles));
+		EXPECT_EQ(r.arrangement.closed[operand], isClosed(meshes[k]->triangles));
 		for (const SubBlock& block : blocks.all) {
-			volume += block.windings[k] * block.volume;
+			volume += block.windings[operand] * block.volume;
 		}
-		const double expected = r.arrangement.closed[k]
+		const double expected = r.arrangement.closed[operand]
 		                            ? std::fabs(volumeOf(meshes[k]->points, meshes[k]->triangles))
 		                            : 0;
 		EXPECT_NEAR(volume, expected, 1e-12 * scale);
@@ -172,14 +174,14 @@ std::array<std::size_t, 3> loops(const SplitRun& r) {
 }
 using LoopNumbers = std::array<std::size_t, 3>;
 
-std::size_t publicCount(const SplitRun& r, std::size_t operand) {
+std::size_t publicCount(const SplitRun& r, OperandId operand) {
 	const auto& ids = r.split.surfaces.ofOperand[operand];
 	return static_cast<std::size_t>(std::count_if(ids.begin(), ids.end(), [&](SubSurfaceId s) {
 		return at(r.split.surfaces.all, s).isPublic();
 	}));
 }
 
-std::size_t surfaceCount(const SplitRun& r, std::size_t operand) {
+std::size_t surfaceCount(const SplitRun& r, OperandId operand) {
 	return r.split.surfaces.ofOperand[operand].size();
 }
 
@@ -193,9 +195,9 @@ const Mesh unitBox = box({0, 0, 0}, {1, 1, 1});
 TEST(Split, sheetThroughBoxGivesTwoBlocks) {
 	const SplitRun r = lawful(unitBox, flatSheet(3, {-1, 2, -1, 2}, 0.25));
 	EXPECT_EQ(loops(r), (LoopNumbers{0, 1, 0}));
-	EXPECT_EQ(surfaceCount(r, 0), 2u);
-	EXPECT_EQ(surfaceCount(r, 1), 2u);
-	EXPECT_EQ(publicCount(r, 1), 1u);
+	EXPECT_EQ(surfaceCount(r, kFirst), 2u);
+	EXPECT_EQ(surfaceCount(r, kSecond), 2u);
+	EXPECT_EQ(publicCount(r, kSecond), 1u);
 	expectVolumes(r, {0.25, 0.75});
 	EXPECT_EQ(r.split.surfaces.atLoop[0].size(), 4u);
 }
@@ -256,7 +258,7 @@ TEST(Split, theHostIsAskedOftenOnAMillionFaces) {
 	longest.clear();
 	const double start = seconds();
 	ASSERT_TRUE(split(r.arrangement, monitor, r.split).ok());
-	ASSERT_TRUE(extractSubSurfaces(r.arrangement, r.split, 0, monitor, r.surfaces[0]).ok());
+	ASSERT_TRUE(extractSubSurfaces(r.arrangement, r.split, kFirst, monitor, r.surfaces[0]).ok());
 	for (const char* stage : {"sub_surfaces", "split_meshes"}) {
 		EXPECT_EQ(longest.count(stage), 1u) << stage;
 	}
@@ -273,7 +275,7 @@ TEST(SplitFigures, fourOpenLoopsCutTwoSheetsIntoFiveEach) {
 	const Mesh a = flatSheet(7, {0, 1, 0, 1}, 0.02);
 	const SplitRun r = lawful(a, sheet(5, 40, {0, 1, 0, 1}, wave));
 	EXPECT_EQ(loops(r), (LoopNumbers{4, 0, 0}));
-	for (std::size_t k = 0; k < 2; ++k) {
+	for (const OperandId k : {kFirst, kSecond}) {
 		EXPECT_EQ(surfaceCount(r, k), 5u);
 		EXPECT_EQ(publicCount(r, k), 0u);
 	}
@@ -354,10 +356,10 @@ TEST(SplitFigures, sheetThroughThreeProngs) {
 	}
 	const SplitRun r = lawful(solid(comb), flatSheet(9, {-2, 8, -3, 4}, 1.3));
 	EXPECT_EQ(loops(r), (LoopNumbers{0, 3, 0}));
-	EXPECT_EQ(surfaceCount(r, 0), 4u);
-	EXPECT_EQ(surfaceCount(r, 1), 4u);
-	EXPECT_EQ(publicCount(r, 0), 1u);
-	EXPECT_EQ(publicCount(r, 1), 1u);
+	EXPECT_EQ(surfaceCount(r, kFirst), 4u);
+	EXPECT_EQ(surfaceCount(r, kSecond), 4u);
+	EXPECT_EQ(publicCount(r, kFirst), 1u);
+	EXPECT_EQ(publicCount(r, kSecond), 1u);
 	expectVolumes(r, {1.7, 1.7, 1.7, 5.9});
 }
 
@@ -398,8 +400,8 @@ Mesh cylinder(std::uint32_t n, std::size_t axis, std::size_t first, double radiu
 TEST(SplitFigures, equalCylindersCrossInFourSoftClosedLoops) {
 	const SplitRun r = lawful(cylinder(24, 0, 1, 1, 3), cylinder(24, 2, 1, 1, 3));
 	EXPECT_EQ(loops(r), (LoopNumbers{0, 0, 4}));
-	EXPECT_EQ(surfaceCount(r, 0), 4u);
-	EXPECT_EQ(surfaceCount(r, 1), 4u);
+	EXPECT_EQ(surfaceCount(r, kFirst), 4u);
+	EXPECT_EQ(surfaceCount(r, kSecond), 4u);
 	EXPECT_EQ(r.split.blocks.all.size(), 5u);
 	for (const auto& around : r.split.surfaces.atLoop) {
 		EXPECT_EQ(around.size(), 4u);
@@ -420,9 +422,9 @@ TEST(Split, barThroughBothProngsHasThreePublicParts) {
 	const Cubes u{{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {0, 0, 1}, {2, 0, 1}, {0, 0, 2}, {2, 0, 2}};
 	const SplitRun r = lawful(solid(u), box({-1, 0.25, 1.25}, {4, 0.75, 1.75}));
 	EXPECT_EQ(loops(r), (LoopNumbers{0, 4, 0}));
-	EXPECT_EQ(surfaceCount(r, 1), 5u);
-	EXPECT_EQ(publicCount(r, 1), 3u);
-	EXPECT_EQ(surfaceCount(r, 0), 5u);
+	EXPECT_EQ(surfaceCount(r, kSecond), 5u);
+	EXPECT_EQ(publicCount(r, kSecond), 3u);
+	EXPECT_EQ(surfaceCount(r, kFirst), 5u);
 	expectVolumes(r, {0.25, 0.25, 0.25, 0.25, 0.25, 6.5});
 }
 
@@ -431,13 +433,13 @@ TEST(Split, barThroughBothProngsHasThreePublicParts) {
 TEST(Split, sheetThatEndsInsideTheSolidSeparatesNothing) {
 	const SplitRun r = lawful(unitBox, flatSheet(3, {-1, 0.5, -1, 2}, 0.25));
 	EXPECT_EQ(loops(r), (LoopNumbers{1, 0, 0}));
-	EXPECT_EQ(surfaceCount(r, 0), 1u);
+	EXPECT_EQ(surfaceCount(r, kFirst), 1u);
 	expectVolumes(r, {1});
 	EXPECT_EQ(separatingCount(r), 1u);
 	EXPECT_EQ(r.split.blocks.all[0].dangling.size(), 1u);
 	// The walls have a slit, which bounds nothing.
-	EXPECT_EQ(publicCount(r, 0), 0u);
-	const SubSurface& walls = at(r.split.surfaces.all, r.split.surfaces.ofOperand[0][0]);
+	EXPECT_EQ(publicCount(r, kFirst), 0u);
+	const SubSurface& walls = at(r.split.surfaces.all, r.split.surfaces.ofOperand[kFirst][0]);
 	EXPECT_EQ(walls.cycleCount, 1u);
 	EXPECT_EQ(walls.closedCycles, 0u);
 }
@@ -452,8 +454,8 @@ TEST(Split, sheetWhollyInsideDangles) {
 TEST(Split, sheetWhoseBorderLiesOnTheWalls) {
 	const SplitRun r = lawful(unitBox, flatSheet(3, {0, 1, 0, 1}, 0.25));
 	EXPECT_EQ(loops(r), (LoopNumbers{0, 1, 0}));
-	EXPECT_EQ(surfaceCount(r, 0), 2u);
-	EXPECT_EQ(surfaceCount(r, 1), 1u);
+	EXPECT_EQ(surfaceCount(r, kFirst), 2u);
+	EXPECT_EQ(surfaceCount(r, kSecond), 1u);
 	expectVolumes(r, {0.25, 0.75});
 }
 
@@ -461,15 +463,15 @@ TEST(Split, sheetOnAWallIsOneWithIt) {
 	for (const double height : {0.0, 1.0}) {
 		const SplitRun r = lawful(unitBox, flatSheet(4, {0.25, 0.75, 0.25, 0.75}, height));
 		EXPECT_EQ(loops(r), (LoopNumbers{0, 1, 0}));
-		EXPECT_EQ(surfaceCount(r, 0), 2u);
-		EXPECT_EQ(surfaceCount(r, 1), 1u);
+		EXPECT_EQ(surfaceCount(r, kFirst), 2u);
+		EXPECT_EQ(surfaceCount(r, kSecond), 1u);
 		EXPECT_EQ(r.split.surfaces.all.size(), 2u);
 		expectVolumes(r, {1});
 		EXPECT_EQ(separatingCount(r), 2u);
 	}
 	const SplitRun beyond = lawful(unitBox, flatSheet(6, {-1, 2, -1, 2}, 1));
-	EXPECT_EQ(surfaceCount(beyond, 0), 2u);
-	EXPECT_EQ(surfaceCount(beyond, 1), 2u);
+	EXPECT_EQ(surfaceCount(beyond, kFirst), 2u);
+	EXPECT_EQ(surfaceCount(beyond, kSecond), 2u);
 	expectVolumes(beyond, {1});
 }
 
@@ -497,7 +499,7 @@ TEST(Split, sheetsMeetingAlongAnEdge) {
 	}();
 	const SplitRun inside = lawful(flat, upright);
 	EXPECT_EQ(loops(inside), (LoopNumbers{1, 0, 0}));
-	EXPECT_EQ(surfaceCount(inside, 0), 2u);
+	EXPECT_EQ(surfaceCount(inside, kFirst), 2u);
 	EXPECT_TRUE(inside.blocks.empty());
 }
 
@@ -533,13 +535,13 @@ Mesh moebius(std::uint32_t n, double width) {
 
 TEST(Split, moebiusStripHasOneSide) {
 	const SplitRun r = lawful(box({-2, -2, -2}, {2, 2, 2}), moebius(31, 0.3));
-	ASSERT_EQ(surfaceCount(r, 1), 1u);
-	EXPECT_TRUE(at(r.split.surfaces.all, r.split.surfaces.ofOperand[1][0]).oneSided);
+	ASSERT_EQ(surfaceCount(r, kSecond), 1u);
+	EXPECT_TRUE(at(r.split.surfaces.all, r.split.surfaces.ofOperand[kSecond][0]).oneSided);
 	EXPECT_EQ(r.split.surfaces.cycles.size(), 1u);
 	expectVolumes(r, {64});
 	// A box that cuts it once leaves a strip with two sides.
 	const SplitRun cut = lawful(box({0.5, -0.5, -2}, {2, 0.5, 2}), moebius(31, 0.3));
-	EXPECT_EQ(surfaceCount(cut, 1), 2u);
+	EXPECT_EQ(surfaceCount(cut, kSecond), 2u);
 	for (const SubSurface& surface : cut.split.surfaces.all) {
 		EXPECT_FALSE(surface.oneSided);
 	}
@@ -553,7 +555,7 @@ TEST(Split, shellsCavitiesAndGrains) {
 	const SplitRun nested = lawful(joined(box({0, 0, 0}, {8, 8, 8}), box({2, 2, 2}, {6, 6, 6})),
 	                               box({3, 3, 3}, {4, 4, 4}));
 	expectVolumes(nested, {1, 63, 448});
-	EXPECT_EQ(nested.split.blocks.all.back().windings, (std::array<std::int32_t, 2>{2, 1}));
+	EXPECT_EQ(nested.split.blocks.all.back().windings, (PerOperand<std::int32_t>{2, 1}));
 	const SplitRun cut = lawful(shell, flatSheet(5, {-1, 9, -1, 9}, 3.5));
 	expectVolumes(cut, {36 * 2.5, 36 * 3.5, 64 * 3.5 - 36 * 2.5, 64 * 4.5 - 36 * 3.5});
 }
@@ -574,13 +576,13 @@ TEST(Split, boxesOfOneOperandSharingAnEdge) {
 	EXPECT_EQ(loops(r), (LoopNumbers{0, 0, 2}));
 	const SplitRun apart = lawful(pair, box({5, 5, 5}, {6, 6, 6}));
 	expectVolumes(apart, {1, 1, 1});
-	EXPECT_EQ(surfaceCount(apart, 0), 2u);
+	EXPECT_EQ(surfaceCount(apart, kFirst), 2u);
 }
 
 TEST(Split, insideOutSolidIsASolid) {
 	const SplitRun r = lawful(turned(unitBox), flatSheet(3, {-1, 2, -1, 2}, 0.25));
 	expectVolumes(r, {0.25, 0.75});
-	EXPECT_EQ(r.split.blocks.all[0].windings[0], 1);
+	EXPECT_EQ(r.split.blocks.all[0].windings[kFirst], 1);
 }
 
 // Lines that meet edges, corners, and two faces in one place.
@@ -633,11 +635,11 @@ TEST(Split, facesWithoutAreaAndFacesTwice) {
 	const SplitRun r = splitOf(unitBox, cut);
 	ASSERT_TRUE(r.status.ok()) << describe(r.status);
 	expectVolumes(r, {0.25, 0.75});
-	EXPECT_EQ(surfaceCount(r, 1), 2u);
-	EXPECT_EQ(r.arrangement.duplicates.takenOnce[1], 2u);
+	EXPECT_EQ(surfaceCount(r, kSecond), 2u);
+	EXPECT_EQ(r.arrangement.duplicates.takenOnce[kSecond], 2u);
 	double area = 0;
 	for (const SubSurface& surface : r.split.surfaces.all) {
-		area += surface.number[1] >= 0 ? surface.area : 0;
+		area += surface.number[kSecond] >= 0 ? surface.area : 0;
 	}
 	EXPECT_NEAR(area, 9, 1e-12);
 }
@@ -740,9 +742,9 @@ std::vector<std::vector<std::array<Point, 3>>> geometryOf(const SplitRun& r, boo
 		all[piece].push_back(c);
 	};
 	std::size_t first = 0;
-	for (const std::size_t k : {0u, 1u}) {
-		const std::size_t operand = swapped ? 1 - k : k;
-		const SplitMesh& mesh = r.surfaces[operand];
+	for (const OperandId k : {kFirst, kSecond}) {
+		const OperandId operand = swapped ? otherOf(k) : k;
+		const SplitMesh& mesh = r.surfaces[operand.value];
 		for (std::size_t f = 0; f < mesh.triangles.size(); ++f) {
 			const SubSurface& surface = at(r.split.surfaces.all, mesh.subSurface[f]);
 			add(first + static_cast<std::size_t>(surface.number[operand]), mesh, f);
