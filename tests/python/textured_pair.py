@@ -40,9 +40,14 @@ def longitude_and_latitude(vertices, faces):
     return np.stack([u, v], axis=2).reshape(-1, 2)
 
 
-def textured_document(folder, names=("checks.png", "stripes.png"), pictures=(checks, stripes)):
-    """The bumpy sphere and the ribbed torus as layers, with their textures from the folder."""
+def textured_document(folder, *names_and_pictures):
+    """textured_layers() in a document that has the package's filters."""
     indexboolean.load_plugin()
+    return textured_layers(folder, *names_and_pictures)
+
+
+def textured_layers(folder, names=("checks.png", "stripes.png"), pictures=(checks, stripes)):
+    """The bumpy sphere and the ribbed torus as layers, with their textures from the folder."""
     mesh_set = pymeshlab.MeshSet()
     meshes = sample("bumpy_sphere"), sample("ribbed_torus")
     for label, mesh, name, picture in zip(("sphere", "torus"), meshes, names, pictures):
