@@ -38,3 +38,22 @@ build_plugin() {
 	cmake --preset release > /dev/null
 	cmake --build --preset release --parallel "$jobs" --target "plugin-$1"
 }
+
+# checkout_commit COMMIT: makes out/guard/tree the tree of the commit, with the headers of this one.
+# Its build stays there for the next time.
+checkout_commit() {
+	git rev-parse --quiet --verify "$1^{commit}" > /dev/null || {
+		echo "$0: no such commit: $1" >&2
+		exit 2
+	}
+	if [ -e out/guard/tree/.git ]; then
+		git -C out/guard/tree checkout --quiet --detach "$(git rev-parse "$1")"
+	else
+		git worktree prune
+		git worktree add --quiet --detach out/guard/tree "$1"
+	fi
+	mkdir -p out/guard/tree/build
+	for headers in build/meshlab-*; do
+		[ ! -e "$headers" ] || ln -sfn "$(realpath "$headers")" out/guard/tree/build/
+	done
+}
