@@ -44,11 +44,12 @@ struct CommandLine {
 	std::size_t spheres = 0, cubeAndSphere = 0, twinSpheres = 0;  // faces of a sphere; 0: not asked
 	std::array<std::size_t, 2> terrain{};  // faces of the terrain and of the sheet
 	bool split = false;
-	std::uint32_t gridBoxes = 0;   // squares along a side; 0: not asked
-	std::uint32_t plateHoles = 0;  // prisms through the plate; 0: not asked
-	std::uint32_t smallPairs = 0;  // how many; 0: not asked
-	std::uint32_t cancels = 0;     // how many; 0: not asked
-	bool boxes = false;
+	std::uint32_t gridBoxes = 0;           // squares along a side; 0: not asked
+	std::uint32_t plateHoles = 0;          // prisms through the plate; 0: not asked
+	std::uint32_t smallPairs = 0;          // how many; 0: not asked
+	std::uint32_t cancels = 0;             // how many; 0: not asked
+	std::vector<std::uint32_t> hardSizes;  // per hard input; 0: not asked
+	bool boxes = false, attributes = false, oneOperation = false, sizes = false;
 	std::string placement = "none";
 	std::array<std::vector<double>, 2> transforms;  // 12 or 16 numbers, or none
 	Operation operation = Operation::Union;
@@ -82,9 +83,82 @@ void place(const CommandLine& commandLine, Operands& operands) {
 	}
 }
 
+// An input on which something may grow with the square of its size; see limits.py.
+struct HardInput {
+	const char* option;
+	const char* description;
+	Operands (*make)(std::uint32_t size);
+};
+
+Surface cubeAt(const Point& centre, double side) {
+	Surface cube = index_boolean_bench::makeCube(side);
+	transform({1, 0, 0, centre[0], 0, 1, 0, centre[1], 0, 0, 1, centre[2]}, cube);
+	return cube;
+}
+
+Operands makeStraySpheres(std::uint32_t faces) {
+	Operands operands;
+	operands[0] = operands[1] = index_boolean_bench::makeSphere(faces);
+	transform(index_boolean_bench::standardRotation({0.6, 0.64, 0.48}), operands[1]);
+	for (Surface& sphere : operands) {
+		sphere.points.push_back({1e9, 1e9, 1e9});
+	}
+	return operands;
+}
+
+Operands makeCones(std::uint32_t sides) {
+	Operands operands;
+	operands[0] = operands[1] = index_boolean_bench::makeCone(sides);
+	transform({1, 0, 0, 0, 0, -1, 0, 0, 0, 0, -1, 0}, operands[1]);
+	return operands;
+}
+
+const std::vector<HardInput> kHardInputs{
+    {"--tower", "A tower of this many boxes that touch, and a cube that cuts its top",
+     [](std::uint32_t count) -> Operands {
+	     return {index_boolean_bench::makeTower(count), cubeAt({0, 0, 1.0 * count}, 1.5)};
+     }},
+    {"--wall", "A wall of N x N cubes across x, and a cube that cuts the first",
+     [](std::uint32_t n) -> Operands {
+	     return {index_boolean_bench::makeWall(n), cubeAt({1, 0.5, 0.5}, 0.5)};
+     }},
+    {"--stray-spheres",
+     "The spheres, of about this many faces, each with one far vertex that no face has",
+     makeStraySpheres},
+    {"--cones", "Two cones of this many sides, tip on tip", makeCones},
+    {"--polygon-plate",
+     "A plate whose top is one polygon of N x N squares, and an upright prism of 10 N / 3 sides",
+     [](std::uint32_t n) -> Operands {
+	     return {index_boolean_bench::makePolygonPlate(n),
+	             index_boolean_bench::makePrisms(1, std::max(3U, 10 * n / 3))};
+     }},
+    {"--row", "A row of this many cubes along x, and a cube that cuts the first",
+     [](std::uint32_t count) -> Operands {
+	     return {index_boolean_bench::makeRow(count), cubeAt({0, 0.5, 0.5}, 0.5)};
+     }},
+    {"--pinwheel", "This many tetrahedra round one edge, and a small cube that cuts the first",
+     [](std::uint32_t count) -> Operands {
+	     return {index_boolean_bench::makePinwheel(count), cubeAt({1, 0, 0}, 0.01)};
+     }},
+};
+
+// The hard input that is asked for, or none.
+const HardInput* hardInput(const CommandLine& commandLine, std::uint32_t& size) {
+	for (std::size_t i = 0; i < kHardInputs.size(); ++i) {
+		size = commandLine.hardSizes[i];
+		if (size > 0) {
+			return &kHardInputs[i];
+		}
+	}
+	return nullptr;
+}
+
 Operands makeOperands(const CommandLine& commandLine) {
 	Operands operands;
-	if (commandLine.spheres > 0) {
+	std::uint32_t size = 0;
+	if (const HardInput* hard = hardInput(commandLine, size); hard != nullptr) {
+		operands = hard->make(size);
+	} else if (commandLine.spheres > 0) {
 		operands[0] = operands[1] = index_boolean_bench::makeSphere(commandLine.spheres);
 		transform(index_boolean_bench::standardRotation({0.6, 0.64, 0.48}), operands[1]);
 	} else if (commandLine.cubeAndSphere > 0) {
@@ -208,17 +282,60 @@ Status readParts(const Arrangement& arrangement, Monitor& monitor, StopWatch& st
 	return status;
 }
 
-// No operations: the operands are split.
-Outcome runOnce(const Operands& operands, const Options& options,
-                const std::vector<Operation>& operations, Monitor& monitor) {
+// Where all attributes of the blocks' vertices, faces and corners come from. The blocks may get
+// copies of vertices.
+Status findAttributes(const Operands& operands, const Arrangement& arrangement, Monitor& monitor,
+                      std::vector<Block>& blocks) {
+	const auto given = [&operands](GivenFace face) {
+		const auto before = static_cast<std::uint32_t>(face.operand * operands[0].points.size());
+		Triangle corners;
+		for (std::size_t i = 0; i < 3; ++i) {
+			corners[i] = {before + operands[face.operand].triangles[face.index][i]};
+		}
+		return corners;
+	};
+	const auto same = [](VertexId, VertexId, bool) { return true; };
+	AttributeNeeds needs;
+	needs.corners = true;
+	Seams seams;
+	Status status = operandSeams(arrangement, given, same, monitor, seams);
+	for (std::size_t i = 0; i < blocks.size() && status.ok(); ++i) {
+		AttributeSources sources;
+		status = attributeSources(arrangement, given, seams, needs, monitor, blocks[i], sources);
+	}
+	return status;
+}
+
+// Copies both operands into the arrays of a run.
+Status copyIn(const Operands& operands, int threads, Monitor& monitor, MeshArrays& input) {
+	const Status status = joinSurfaces({viewOf(operands[0].points, operands[0].triangles),
+	                                    viewOf(operands[1].points, operands[1].triangles)},
+	                                   threads, monitor, input);
+	for (std::size_t k = 0; k < 2 && status.ok(); ++k) {
+		const std::vector<std::uint8_t>& faux = operands[k].faux;
+		if (!faux.empty()) {
+			input.faux.resize(input.triangles.size());
+			std::copy(faux.begin(), faux.end(), input.faux.begin() + input.faceBegin[k]);
+		}
+	}
+	return status;
+}
+
+// What is read from each arrangement. No operations: the operands are split.
+struct Job {
+	std::vector<Operation> operations;
+	bool attributes = false;
+};
+
+Outcome runOnce(const Operands& operands, const Options& options, const Job& job,
+                Monitor& monitor) {
+	const std::vector<Operation>& operations = job.operations;
 	Outcome outcome;
 	Arrangement arrangement;
 	StopWatch total, stage;
 	std::optional<PageReuse> pages(std::in_place);
 	MeshArrays input;
-	outcome.status = joinSurfaces({viewOf(operands[0].points, operands[0].triangles),
-	                               viewOf(operands[1].points, operands[1].triangles)},
-	                              options.threads, monitor, input);
+	outcome.status = copyIn(operands, options.threads, monitor, input);
 	outcome.stages.emplace_back("copy in", stage.lap());
 	if (outcome.status.ok()) {
 		outcome.status = operations.empty()
@@ -233,6 +350,10 @@ Outcome runOnce(const Operands& operands, const Options& options,
 		outcome.status = operations.empty()
 		                     ? readParts(arrangement, monitor, stage, outcome)
 		                     : readBlocks(arrangement, operations, monitor, stage, outcome);
+	}
+	if (outcome.status.ok() && job.attributes) {
+		outcome.status = findAttributes(operands, arrangement, monitor, outcome.blocks);
+		outcome.stages.emplace_back("attributes", stage.lap());
 	}
 	outcome.loops = arrangement.loopCounts;
 	arrangement = {};
@@ -315,7 +436,8 @@ Status measure(const CommandLine& commandLine, const Operands& operands,
 	     ++run) {
 		takeSignCounts();
 		Monitor unheard;
-		const Outcome outcome = runOnce(operands, options, operations, unheard);
+		const Outcome outcome =
+		    runOnce(operands, options, {operations, commandLine.attributes}, unheard);
 		if (const ordered_json signs = describeSigns(); !signs.empty()) {
 			out["signs"] = signs;
 		}
@@ -394,6 +516,11 @@ void addOperandOptions(CLI::App& app, CommandLine& out) {
 	                "Two cubes whose walls are cut into N x N squares, with one wall in common, "
 	                "shifted in its plane: coplanar faces that overlap")
 	    ->check(CLI::PositiveNumber);
+	out.hardSizes.resize(kHardInputs.size());
+	for (std::size_t i = 0; i < kHardInputs.size(); ++i) {
+		operands.add_option(kHardInputs[i].option, out.hardSizes[i], kHardInputs[i].description)
+		    ->check(CLI::PositiveNumber);
+	}
 }
 
 // Exits with 2 on a usage error, with 0 after --help.
@@ -420,6 +547,10 @@ CommandLine parse(int argc, char** argv) {
 	}
 	app.add_option("--operation", out.operation, "The operation that is timed on its own")
 	    ->transform(CLI::CheckedTransformer(operations).description(""));
+	app.add_flag("--sizes", out.sizes, "Prints how large the operands are, and times nothing");
+	app.add_flag("--one-operation", out.oneOperation, "Times that operation, not the four blocks");
+	app.add_flag("--attributes", out.attributes,
+	             "Times also where all attributes of the blocks' elements come from");
 	app.add_option("--threads", out.threads, "0: as many as OpenMP gives")
 	    ->check(CLI::NonNegativeNumber);
 	app.add_option("--runs", out.runs, "Timed runs, of which the median is taken")
@@ -485,12 +616,11 @@ Operands makeSmallPair(std::uint32_t number) {
 Status measureCancel(const CommandLine& commandLine, const Operands& operands, ordered_json& out) {
 	Options options;
 	options.threads = commandLine.threads;
-	const std::vector<Operation> operations =
-	    commandLine.split ? std::vector<Operation>{} : kFourBlocks;
+	const Job job{commandLine.split ? std::vector<Operation>{} : kFourBlocks,
+	              commandLine.attributes};
 	Monitor unheard;
 	StopWatch whole;
-	if (const Outcome outcome = runOnce(operands, options, operations, unheard);
-	    !outcome.status.ok()) {
+	if (const Outcome outcome = runOnce(operands, options, job, unheard); !outcome.status.ok()) {
 		return outcome.status;
 	}
 	const double seconds = whole.lap();
@@ -505,7 +635,7 @@ Status measureCancel(const CommandLine& commandLine, const Operands& operands, o
 			wanted = true;
 		});
 		Monitor monitor([&wanted](double, const char*) { return !wanted; });
-		const Status status = runOnce(operands, options, operations, monitor).status;
+		const Status status = runOnce(operands, options, job, monitor).status;
 		user.join();
 		if (status.code == StatusCode::Cancelled) {  // else it was done before
 			waits.push_back(watch.lap());
@@ -531,8 +661,8 @@ Status measureSmallPairs(const CommandLine& commandLine, ordered_json& out) {
 			saveArrays(pair, std::filesystem::path(commandLine.saveArrays) / std::to_string(i));
 		}
 		Monitor unheard;
-		runOnce(pair, options, {commandLine.operation}, unheard);
-		const Outcome outcome = runOnce(pair, options, {commandLine.operation}, unheard);
+		runOnce(pair, options, {{commandLine.operation}}, unheard);
+		const Outcome outcome = runOnce(pair, options, {{commandLine.operation}}, unheard);
 		if (!outcome.status.ok()) {
 			return outcome.status;
 		}
@@ -562,6 +692,10 @@ int run(const CommandLine& commandLine) {
 		out["operands"].push_back(
 		    {{"vertices", surface.points.size()}, {"faces", surface.triangles.size()}});
 	}
+	if (commandLine.sizes) {
+		std::cout << out.dump(2) << '\n';
+		return 0;
+	}
 	if (!commandLine.split) {
 		out["operation"] = operationName(commandLine.operation);
 	}
@@ -579,7 +713,7 @@ int run(const CommandLine& commandLine) {
 		status = measure(commandLine, operands, {}, out["split"]);
 	} else {
 		status = measure(commandLine, operands, {commandLine.operation}, out["one_operation"]);
-		if (status.ok()) {
+		if (status.ok() && !commandLine.oneOperation) {
 			status = measure(commandLine, operands, kFourBlocks, out["four_blocks"]);
 		}
 	}

@@ -26,6 +26,8 @@ class FileFace
 };
 class FileMesh : public vcg::tri::TriMesh<std::vector<FileVertex>, std::vector<FileFace>> {};
 
+constexpr double kFullTurn = 6.283185307179586;
+
 using Importer = vcg::tri::io::Importer<FileMesh>;
 
 // The corners of an icosahedron, and its faces counter-clockwise from outside.
@@ -63,6 +65,44 @@ Point onUnitSphere(const Weights& weights) {
 	}
 	const double length = std::sqrt(p[0] * p[0] + p[1] * p[1] + p[2] * p[2]);
 	return {p[0] / length, p[1] / length, p[2] / length};
+}
+
+// Adds an axis-parallel box, its walls across x first.
+void addBox(const Point& low, const Point& high, Surface& surface) {
+	const Surface cube = makeCube(1);
+	const auto first = static_cast<std::uint32_t>(surface.points.size());
+	for (const Point& p : cube.points) {
+		surface.points.push_back({p[0] < 0 ? low[0] : high[0], p[1] < 0 ? low[1] : high[1],
+		                          p[2] < 0 ? low[2] : high[2]});
+	}
+	constexpr std::size_t kFaces = 12, kFirstAcrossX = 8;
+	for (std::size_t i = 0; i < kFaces; ++i) {
+		const auto& face = cube.triangles[(kFirstAcrossX + i) % kFaces];
+		surface.triangles.push_back({first + face[0], first + face[1], first + face[2]});
+	}
+}
+
+// Adds the top of a plate, vertices row by row along y, and marks its edges as faux but those
+// around it.
+void addPolygonTop(std::uint32_t n, double z, Surface& plate) {
+	for (std::uint32_t i = 0; i <= n; ++i) {
+		for (std::uint32_t j = 0; j <= n; ++j) {
+			plate.points.push_back(
+			    {static_cast<double>(i) / n - 0.5, static_cast<double>(j) / n - 0.5, z});
+		}
+	}
+	const auto mask = [](bool first, bool second, bool third) {
+		return static_cast<std::uint8_t>((first ? 1 : 0) | (second ? 2 : 0) | (third ? 4 : 0));
+	};
+	for (std::uint32_t i = 0; i < n; ++i) {
+		for (std::uint32_t j = 0; j < n; ++j) {
+			const std::uint32_t a = i * (n + 1) + j, b = a + n + 1;
+			plate.triangles.push_back({a, b, b + 1});
+			plate.faux.push_back(mask(j > 0, i + 1 < n, true));
+			plate.triangles.push_back({a, b + 1, a + 1});
+			plate.faux.push_back(mask(true, j + 1 < n, i > 0));
+		}
+	}
 }
 
 }  // namespace
@@ -200,7 +240,6 @@ Surface makeGridBox(std::uint32_t n) {
 }
 
 Surface makePrisms(std::uint32_t count, std::uint32_t sides) {
-	constexpr double kFullTurn = 6.283185307179586;
 	const auto perRow = static_cast<std::uint32_t>(std::ceil(std::sqrt(count)));
 	const double cell = 1.0 / perRow;
 	Surface prisms;
@@ -227,6 +266,93 @@ Surface makePrisms(std::uint32_t count, std::uint32_t sides) {
 		}
 	}
 	return prisms;
+}
+
+Surface makeTower(std::uint32_t count) {
+	Surface tower;
+	for (std::uint32_t i = 0; i < count; ++i) {
+		const double half = i % 2 == 0 ? 1 : 0.5;
+		addBox({-half, -half, 1.0 * i}, {half, half, 1.0 * i + 1}, tower);
+	}
+	return tower;
+}
+
+Surface makeWall(std::uint32_t n) {
+	constexpr double kPitch = 1.25;
+	Surface wall;
+	for (std::uint32_t i = 0; i < n; ++i) {
+		for (std::uint32_t j = 0; j < n; ++j) {
+			const double y = kPitch * i, z = kPitch * j;
+			addBox({0, y, z}, {1, y + 1, z + 1}, wall);
+		}
+	}
+	return wall;
+}
+
+Surface makeRow(std::uint32_t count) {
+	Surface row;
+	for (std::uint32_t i = 0; i < count; ++i) {
+		addBox({2.0 * i, 0, 0}, {2.0 * i + 1, 1, 1}, row);
+	}
+	return row;
+}
+
+Surface makeCone(std::uint32_t sides) {
+	Surface cone;
+	cone.points = {{0, 0, 0}, {0, 0, 1}};
+	for (std::uint32_t i = 0; i < sides; ++i) {
+		const double angle = kFullTurn * i / sides;
+		cone.points.push_back({std::cos(angle), std::sin(angle), 1});
+		const std::uint32_t here = 2 + i, next = 2 + (i + 1) % sides;
+		cone.triangles.push_back({0, next, here});
+		cone.triangles.push_back({1, here, next});
+	}
+	return cone;
+}
+
+Surface makePolygonPlate(std::uint32_t n) {
+	constexpr double kHalf = 0.05;
+	Surface plate;
+	addPolygonTop(n, kHalf, plate);
+	std::vector<std::uint32_t> rim;  // of the top, counter-clockwise
+	const std::uint32_t row = n + 1;
+	for (std::uint32_t side = 0; side < 4; ++side) {
+		for (std::uint32_t i = 0; i < n; ++i) {
+			const std::array<std::uint32_t, 4> around{i * row, n * row + i, (n - i) * row + n,
+			                                          n - i};
+			rim.push_back(around[side]);
+		}
+	}
+	const auto below = static_cast<std::uint32_t>(plate.points.size());  // the first corner
+	const auto count = static_cast<std::uint32_t>(rim.size());
+	for (const std::uint32_t corner : rim) {
+		plate.points.push_back({plate.points[corner][0], plate.points[corner][1], -kHalf});
+	}
+	plate.points.push_back({0, 0, -kHalf});
+	for (std::uint32_t i = 0; i < count; ++i) {
+		const std::uint32_t next = (i + 1) % count;
+		plate.triangles.push_back({rim[i], below + i, below + next});
+		plate.triangles.push_back({rim[i], below + next, rim[next]});
+		plate.triangles.push_back({below + count, below + next, below + i});
+	}
+	plate.faux.resize(plate.triangles.size());
+	return plate;
+}
+
+Surface makePinwheel(std::uint32_t count) {
+	constexpr double kWidth = 0.4;  // of a tetrahedron, of the angle from one to the next
+	Surface pinwheel;
+	pinwheel.points = {{0, 0, -1}, {0, 0, 1}};
+	for (std::uint32_t i = 0; i < count; ++i) {
+		const auto p = static_cast<std::uint32_t>(pinwheel.points.size()), q = p + 1;
+		for (const double along : {0.0, kWidth}) {
+			const double angle = kFullTurn * (i + along) / count;
+			pinwheel.points.push_back({std::cos(angle), std::sin(angle), 0});
+		}
+		pinwheel.triangles.insert(pinwheel.triangles.end(),
+		                          {{0, p, 1}, {0, 1, q}, {0, q, p}, {1, p, q}});
+	}
+	return pinwheel;
 }
 
 void transform(const Matrix& m, Surface& surface) {

@@ -18,6 +18,7 @@ using index_boolean::Point;
 struct Surface {
 	std::vector<Point> points;
 	std::vector<std::array<std::uint32_t, 3>> triangles;
+	std::vector<std::uint8_t> faux;  // as in MeshArrays; empty if no edge lies inside a polygon
 };
 
 // The upper three rows of an affine matrix, row by row.
@@ -47,6 +48,29 @@ Surface makeGridBox(std::uint32_t n);
 // other in a square grid over the unit square around the origin; each is turned a little further
 // than the one before. From z = -1 to 1.
 Surface makePrisms(std::uint32_t count, std::uint32_t sides);
+
+// Boxes of height 1 on each other from z = 0 up, 12 triangles each, of widths 2 and 1 in turn: all
+// corners of the small ones lie in walls of the large ones.
+Surface makeTower(std::uint32_t count);
+
+// n * n unit cubes with gaps, 12 triangles each, from x = 0 to 1: beside each other along y, above
+// each other along z.
+Surface makeWall(std::uint32_t n);
+
+// Unit cubes in a row along x, a unit apart, 12 triangles each; the first two of each lie across
+// the row.
+Surface makeRow(std::uint32_t count);
+
+// A cone on its tip, which is the origin, up to a disk of radius 1 at z = 1: 2 * sides triangles.
+Surface makeCone(std::uint32_t sides);
+
+// A plate over the unit square around the origin, from z = -0.05 to 0.05. Its top is one polygon,
+// of n * n squares of two triangles; 12 * n triangles more.
+Surface makePolygonPlate(std::uint32_t n);
+
+// Tetrahedra round the z axis that all have its edge from z = -1 to 1 and nothing else in common, 4
+// triangles each.
+Surface makePinwheel(std::uint32_t count);
 
 void transform(const Matrix& matrix, Surface& surface);
 
