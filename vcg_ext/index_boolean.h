@@ -44,6 +44,7 @@ Status extractBlock(const Arrangement& arrangement, Operation operation, Monitor
 // Intersects any two surfaces, open or closed, orientable or not, for splitting: without labels, so
 // that no block can be read from the arrangement. Parameters as above.
 // \return any StatusCode but NotClosed, NotOriented, NoVolume, NestedComponents
+// Complexity: as arrange.
 Status arrangeSurfaces(MeshArrays input, const Options& options, Monitor& monitor,
                        Arrangement& out);
 
@@ -61,26 +62,28 @@ struct Split {
 Status split(const Arrangement& arrangement, Monitor& monitor, Split& out);
 
 // Finds the sub-surfaces alone: out.blocks stays empty.
-// \return Ok, Cancelled, OutOfMemory, InternalError
+// \return Ok, Cancelled, OutOfMemory, InternalError. Complexity: as split.
 Status splitSurfaces(const Arrangement& arrangement, Monitor& monitor, Split& out);
 
 // The loops as polylines; see curve_lines.h. \return Ok, Cancelled, OutOfMemory
+// Complexity: O(k) for k points of the curve.
 Status extractCurve(const Arrangement& arrangement, Monitor& monitor, CurveLines& out);
 
-// The mesh of all sub-surfaces of one operand (0 or 1), and the boundary of one sub-block; see
+// The mesh of all sub-surfaces of one operand, and the boundary of one sub-block; see
 // split_meshes.h. \return Ok, Cancelled, OutOfMemory, InternalError
+// Complexity: O(n) for n triangles of the arrangement; of a sub-block, O(m) for its m faces.
 Status extractSubSurfaces(const Arrangement& arrangement, const Split& split, OperandId operand,
                           Monitor& monitor, SplitMesh& out);
 Status extractSubBlock(const Arrangement& arrangement, const Split& split, SubBlockId block,
                        Monitor& monitor, SplitMesh& out);
 
 // The seams of the operands, which stay in every output; see seams.h.
-// \return Ok, Cancelled, OutOfMemory, InternalError
+// \return Ok, Cancelled, OutOfMemory, InternalError. Complexity: O(n log n); nothing without seams.
 Status operandSeams(const Arrangement& arrangement, const GivenTriangles& given,
                     const SameAttributes& same, Monitor& monitor, Seams& out);
 
 // Of which input elements a block's or split mesh's elements take their attributes; see
-// attributes.h. \return Ok, Cancelled, OutOfMemory, InternalError
+// attributes.h. \return Ok, Cancelled, OutOfMemory, InternalError. Complexity: O(n), in parallel.
 Status attributeSources(const Arrangement& arrangement, const GivenTriangles& given,
                         const Seams& seams, AttributeNeeds needs, Monitor& monitor,
                         SourcedMesh& mesh, AttributeSources& out);
@@ -95,12 +98,14 @@ struct Audit {
 // \param blocks any of the arrangement's blocks
 // \param out    one measure per block, in the same order, and the largest law residual
 // \return Ok, Cancelled, OutOfMemory, or InternalError if a block is not closed
+// Complexity: O(n) for all faces of the blocks, in parallel.
 Status audit(const Arrangement& arrangement, const std::vector<Block>& blocks, Monitor& monitor,
              Audit& out);
 
 // Audits the sub-blocks of a split, with their boundaries as delivered; see split_audit.h.
 // \param boundaries of all sub-blocks, in their order, or none
 // \return Ok, Cancelled, OutOfMemory, or InternalError if a check fails
+// Complexity: O(n) for all faces of the boundaries.
 Status audit(const Arrangement& arrangement, const Split& split,
              const std::vector<SplitMesh>& boundaries, Monitor& monitor, SplitAudit& out);
 

@@ -89,6 +89,52 @@ def test_paths_named_in_code_style_exist(page):
     assert not missing
 
 
+def links_of(page):
+    """The files that a page links to."""
+    named = re.findall(r"\]\((?!https?:|#)([^)#]+)", page.read_text())
+    return {(page.parent / name).resolve() for name in named}
+
+
+def test_threeLinksLeadToWhereAFacesTriangulationIsDecidedAndToItsRule():
+    reached = {ROOT / "README.md"}
+    for _ in range(3):
+        pages = [page for page in reached if page.suffix == ".md"]
+        if ROOT / "vcg_ext/arrange/retriangulate.h" in reached:
+            break
+        reached = reached.union(*map(links_of, pages))
+    assert ROOT / "vcg_ext/arrange/retriangulate.h" in reached
+    page = (ROOT / "docs/architecture.md").read_text()
+    row = re.search(r"^\| where is a face's triangulation decided\? .*$", page, re.M)[0]
+    assert "base to arrange" in row
+    assert "base < exact < mesh < arrange < carry < parts < solids < index_boolean" in page
+
+
+def glossary():
+    """[(word, header)] of the architecture page."""
+    section = (ROOT / "docs/architecture.md").read_text().split("\n## Glossary\n")[1]
+    rows = re.findall(r"^\| ([^|]+) \| [^|]+ \| `([^`]+)` \|$", section.split("\n## ")[0], re.M)
+    return [(word.strip(), header) for words, header in rows for word in words.split(",")]
+
+
+def test_eachWordOfTheGlossaryStandsInItsHeader():
+    words = glossary()
+    assert len(words) >= 30 and len(dict(words)) == len(words)
+    for word, header in words:
+        stem = word.removesuffix("s").replace("-", "[- ]?").replace(" ", "[ \n/]*")
+        text = (ROOT / header).read_text()
+        assert re.search(stem, text, re.I), (word, header)
+
+
+def test_theArrangementNamesTheStageThatFillsEachField():
+    header = (ROOT / "vcg_ext/arrange/arrangement.h").read_text()
+    for struct in ("Curve", "Refinement", "Labels", "Arrangement"):
+        body = re.search(rf"^struct {struct} {{\n(.*?)^}};", header, re.M | re.S)[1]
+        first = body.lstrip().splitlines()[0]
+        named = re.findall(r"^\t// .*?\[(\w+)\]", body, re.M)
+        assert first.startswith("// ["), struct
+        assert named and set(named) <= set(stages()), struct
+
+
 def test_picturesAreSmall():
     pictures = list((ROOT / "docs").glob("*.png"))
     assert pictures and all(picture.stat().st_size < 300_000 for picture in pictures)

@@ -80,3 +80,61 @@ def test_pythonPassesRuff():
 def test_hooksHaveTheVersionsOfTheEnvironment(tool):
     pinned = re.search(rf"^{tool}==\S+$", (ROOT / "tools/requirements.txt").read_text(), re.M)[0]
     assert f"[{pinned}]" in (ROOT / ".pre-commit-config.yaml").read_text()
+
+
+NO_FUNCTION = ("struct", "class", "enum", "using", "namespace", "friend", "extern", "static_assert",
+               "constexpr std::", "typedef")
+
+
+def top_level_functions(text):
+    """(name, comment, code up to its body or end) of the functions of a header, but for members.
+
+    A comment holds for all functions that follow it without a blank line.
+    """
+    depth, comment, code = 0, [], []
+    for line in text.split("\n"):
+        if depth == 0 and not code and line.startswith("//"):
+            comment.append(line)
+        elif depth == 0 and not code and line.startswith("#"):
+            continue
+        elif depth == 0 and not code and (not line.strip() or line.startswith("namespace")):
+            comment = []
+        elif depth == 0 and line.startswith("}"):
+            continue
+        else:
+            statement = line.split("//")[0]
+            if depth == 0:
+                code.append(statement)
+            depth += statement.count("{") - statement.count("}")
+            if depth == 0 and statement.rstrip().endswith((";", "}")):
+                whole = " ".join(code)
+                whole = re.sub(r"^template <[^{]*?> (?=\\w)", "", whole)
+                head = whole.split("{")[0]
+                found = re.search(r"\b(\w+|operator\S+)\(", head)
+                is_member = "::" in head.split("(")[0].split(" ")[-1]
+                is_named = found and not whole.startswith(NO_FUNCTION) and not is_member
+                if is_named and "=" not in head.split("(")[0]:
+                    yield found[1], "\n".join(comment), whole
+                code = []
+
+
+@pytest.mark.parametrize(
+    "header", sorted((ROOT / "vcg_ext").rglob("*.h")), ids=lambda path: path.name)
+def test_publicFunctionsSayWhatTheyDoAndCost(header):
+    """Purpose on each; on those defined elsewhere the errors and the complexity, too.
+
+    Where all functions of a header cost the same, its head may say so once.
+    """
+    text = header.read_text()
+    head = text.split("#pragma once")[0]
+    lacking = []
+    for name, comment, code in top_level_functions(text.split("#pragma once")[1]):
+        if not comment and not name.startswith("operator"):
+            lacking.append(f"{name}: a comment")
+        elif "{" in code:
+            continue
+        elif "Complexity" not in comment + head:
+            lacking.append(f"{name}: its complexity")
+        elif code.startswith("Status ") and "\\return" not in comment:
+            lacking.append(f"{name}: which errors it returns")
+    assert not lacking

@@ -3,6 +3,8 @@
 //
 // The arrangement: everything one intersection run knows, as plain arrays. Computed once; every
 // output (blocks, sub-surfaces, sub-blocks, curves) is read from it.
+// Each field is filled by one stage, named in square brackets above it, and only read from then on;
+// before that it is empty. The stages are those of docs/architecture.md, in their order.
 #pragma once
 
 #include "vcg_ext/mesh/mesh_arrays.h"
@@ -94,11 +96,14 @@ struct CutEdge {
 
 // The points of contact, the edges they lie on, and the segments between them. New points are
 // sorted by name, cut edges by their vertices, segments by their first pair of faces.
+// All are empty where the operands do not meet, but for onOther and irregular.
 struct Curve {
+	// [curve_points]
 	std::vector<PointName> names;       // of the new points
 	Points rounded;                     // their coordinates, correctly rounded to double
 	std::vector<std::uint8_t> onOther;  // per input vertex: it lies on the other operand
 	std::vector<FaceId> touchedFaces;   // sorted
+	// [cut_lines]
 	std::vector<CutEdge> cutEdges;
 	std::vector<VertexId> pointsOnEdges;
 	std::vector<Segment> segments;
@@ -130,8 +135,10 @@ struct SegmentSide {
 	NodeId left, right;
 };
 
-// Both surfaces refined by the curve.
+// Both surfaces refined by the curve. All are empty where the operands do not meet, but for isCut
+// and nodeCount, which is then the number of input vertices.
 struct Refinement {
+	// [retriangulate]
 	HugeVector<CutFace> cutFaces;  // sorted by face
 	Triangles pieces;
 	HugeVector<NodeId> pieceRegion;                 // per piece
@@ -146,14 +153,17 @@ struct Refinement {
 // in the other's surface, whose normal there points the same way or the opposite way.
 enum class Label : std::uint8_t { Outside, Inside, OnSame, OnOpposite, OnVertex, Unused, Unknown };
 
+// Empty when splitting, which needs no labels.
 struct Labels {
-	std::vector<Label> vertex;  // per input vertex: Outside, Inside, OnVertex or Unused
-	std::vector<Label> piece;   // per piece: the first four
+	// [labels]
+	std::vector<Label> vertex;             // per input vertex: Outside, Inside, OnVertex or Unused
+	std::vector<Label> piece;              // per piece: the first four
+	PerOperand<std::uint32_t> components;  // vertex-connected components of each operand
+	// [overlap_owners]
 	// Per piece labelled OnSame, as bits: in these blocks it stands for the overlap, and its twin,
 	// the other operand's piece on the same corners, does not. Empty if there is none.
 	static constexpr std::uint8_t kOwnerInUnion = 1, kOwnerInIntersection = 2;
 	std::vector<std::uint8_t> owner;
-	PerOperand<std::uint32_t> components;  // vertex-connected components of each operand
 };
 
 // One maximal chain of the curve, as consecutive points; the first is repeated at the end of a
@@ -182,26 +192,33 @@ struct Polygons {
 };
 
 struct Arrangement {
+	// [operands], as the caller gave them
 	Options options;
-	MeshArrays mesh;  // welded, without degenerate faces, right side out
-	Polygons polygons;
-	std::vector<std::uint32_t> faceGiven;  // per face: its index in the operand as given; see below
+	MeshArrays mesh;    // welded, without degenerate faces; for blocks, right side out. Its quiet
+	                    // faces and vertices are filled by [coincident_faces], if there are any
+	Polygons polygons;  // empty if no face has a faux edge
+	std::vector<std::uint32_t> faceGiven;  // per face: its index in the operand as given; empty if
+	                                       // no face has been dropped or split
 	std::vector<VertexId> nonManifold;     // at which an operand is no manifold; ascending
 	PerOperand<bool> seams;                // vertices of the operand in one place have become one
 	PerOperand<bool> closed;               // each edge of the operand has as many faces each way
-	PerOperand<bool> turned;  // the operand is closed and was given inside out; for blocks it
-	                          // has been turned
+	PerOperand<bool> insideOut;            // the operand is closed and was given inside out; for
+	                                       // blocks it has been turned
 	DuplicateFaces duplicates;
-	PerOperand<double> volume;  // of each operand that is closed
+	PerOperand<double> volume;  // of each operand that is closed, else 0
+	// [curve_points] and [cut_lines]
 	Curve curve;
+	// [retriangulate]
 	Refinement refinement;
+	// [loops]; empty where the operands do not meet
 	std::vector<Loop> loops;
 	LoopCounts loopCounts;
+	// [labels] and [overlap_owners]; empty when splitting
 	Labels labels;
+	// the driver
 	std::vector<StageTime> stageTimes;  // in the order of the stages
 
-	// The index of a face in its operand's triangles as given. faceGiven is empty while no face has
-	// been dropped or split.
+	// The index of a face in its operand's triangles as given.
 	std::uint32_t givenFace(FaceId f) const {
 		return faceGiven.empty() ? f.value - mesh.faceOffsets.begin(mesh.operandOf(f))
 		                         : at(faceGiven, f);

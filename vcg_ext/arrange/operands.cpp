@@ -413,7 +413,7 @@ Status findVolumes(Arrangement& arrangement, const PerOperand<FacesSeen>& seen,
 		if (sign == 0 && mustHaveVolume) {
 			return failure(StatusCode::NoVolume, operand, 0);
 		}
-		arrangement.turned[operand] = sign < 0;
+		arrangement.insideOut[operand] = sign < 0;
 		arrangement.volume[operand] = std::fabs(sum.value) / 6;
 	}
 	return {};
@@ -430,7 +430,7 @@ Status turnRightSideOut(Arrangement& arrangement, const PerOperand<FacesSeen>& s
 	MeshArrays& mesh = arrangement.mesh;
 	const Status status = findVolumes(arrangement, seen, true);
 	for (const OperandId operand : mesh.operands()) {
-		if (status.ok() && arrangement.turned[operand]) {
+		if (status.ok() && arrangement.insideOut[operand]) {
 			std::for_each(mesh.triangles.begin() + mesh.faceOffsets.begin(operand),
 			              mesh.triangles.begin() + mesh.faceOffsets.end(operand),
 			              [](Triangle& t) { std::swap(t[1], t[2]); });

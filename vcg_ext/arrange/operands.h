@@ -13,7 +13,7 @@
 
 namespace index_boolean {
 
-// Checks and prepares arrangement.mesh in place; fills faceGiven, closed, turned, duplicates
+// Checks and prepares arrangement.mesh in place; fills faceGiven, closed, insideOut, duplicates
 // and volume.
 // \return Ok, Cancelled, OutOfMemory, EmptyOperand, NotFinite, IndexOutOfRange, TooLarge,
 //         NotClosed, NotOriented, NoVolume, SelfIntersecting
@@ -22,8 +22,9 @@ Status prepareOperands(Arrangement& arrangement, Monitor& monitor);
 
 // The same for surfaces of any kind, which may be open: checked, welded, free of degenerate faces,
 // each face once. None is turned. Fills faceGiven, closed, duplicates and, of closed operands,
-// turned and volume.
+// insideOut and volume.
 // \return Ok, Cancelled, OutOfMemory, EmptyOperand, NotFinite, IndexOutOfRange, TooLarge
+// Complexity: O(n), in parallel.
 Status prepareSurfaces(Arrangement& arrangement, Monitor& monitor);
 
 }  // namespace index_boolean

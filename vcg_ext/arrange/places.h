@@ -12,13 +12,16 @@ namespace index_boolean {
 
 // The simplices that define a vertex or a curve point; borrows the arrangement's points.
 // \param vertex an input vertex or a numbered curve point
+// Complexity: O(1).
 ExactPoint exactPoint(const Arrangement& arrangement, VertexId vertex);
 
 // An order of vertices that depends on their places only: by the rounded coordinates,
 // lexicographically, then, if all three are equal, by the exact ones. \return -1, 0, +1
+// Complexity: O(1); a few comparisons unless the places are nearly the same.
 int comparePlaces(const Arrangement& arrangement, VertexId a, VertexId b);
 
 // A vertex's coordinates as they are delivered: the exact point, rounded once to the output scalar.
+// Complexity: O(1).
 Point outputCoordinates(const Arrangement& arrangement, VertexId vertex);
 
 }  // namespace index_boolean

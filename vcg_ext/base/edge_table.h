@@ -31,6 +31,8 @@ struct HalfEdge {
 	}
 };
 
+// The side of a face that runs from one vertex to another.
+// \param corner of the face, 0 to 2, that the side leaves
 inline HalfEdge makeHalfEdge(std::uint32_t from, std::uint32_t to, std::size_t face,
                              std::size_t corner) {
 	return {std::min(from, to), std::max(from, to), static_cast<std::uint32_t>(face),

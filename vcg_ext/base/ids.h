@@ -40,6 +40,7 @@ auto& at(Array& array, Id<Tag> id) {
 	return array[static_cast<std::size_t>(id.value)];
 }
 
+// An id of an index that fits into 32 bits.
 template <class Tag>
 constexpr Id<Tag> makeId(std::size_t index) {
 	return {static_cast<std::uint32_t>(index)};

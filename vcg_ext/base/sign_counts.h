@@ -29,6 +29,7 @@ constexpr std::size_t kDeciderCount = 4;
 // [predicate][decider]
 using SignCounts = std::array<std::array<std::uint64_t, kDeciderCount>, kPredicateCount>;
 
+// Counts one answer, in a build that counts. Complexity: O(1).
 #ifdef INDEXBOOLEAN_COUNT_SIGNS
 void countSign(Predicate predicate, DecidedBy decider);
 #else
@@ -36,6 +37,7 @@ inline void countSign(Predicate, DecidedBy) {}
 #endif
 
 // What has been counted since the last call, by all threads; zeros in a build that does not count.
+// Complexity: O(threads).
 SignCounts takeSignCounts();
 
 }  // namespace index_boolean

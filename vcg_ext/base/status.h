@@ -61,11 +61,11 @@ Status inOrder(Steps&&... steps) {
 	return status;
 }
 
-// A short name such as "not closed"; never null.
+// A short name such as "not closed"; never null, never freed. Complexity: O(1).
 const char* statusName(StatusCode code);
 
 // One sentence on the defect with count and place, without the operand's name: "is not closed: 12
-// edges have a face on one side only, the first near (0, 1, 2)".
+// edges have a face on one side only, the first near (0, 1, 2)". Complexity: O(1).
 std::string describe(const Status& status);
 
 }  // namespace index_boolean

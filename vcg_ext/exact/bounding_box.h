@@ -29,7 +29,7 @@ struct BoundingBox {
 Status findBoundingBox(const Point* points, std::size_t count, int threads, Monitor& monitor,
                        BoundingBox& out);
 
-// The points that lie in both boxes.
+// The points that lie in both boxes. Complexity: O(1).
 BoundingBox commonBox(const BoundingBox& a, const BoundingBox& b);
 
 }  // namespace index_boolean

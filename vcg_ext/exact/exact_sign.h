@@ -6,6 +6,10 @@
 // Guarantee: every sign is exact for all finite doubles. A point's rounded coordinates do not
 // depend on the order in which its edge's or faces' corners are named.
 // Degrees: orient3d 3; order of two line-plane points 6; orient2d of three of them 11.
+// Complexity: O(1) each, unless said otherwise: some 10 to 100 flops where doubles can tell, more
+// than a thousand times that where only integers can. No function fails; each borrows what it is
+// given. Source: filters after Shewchuk 1997 and Attene 2020 (indirect predicates), with bounds of
+// our own.
 #pragma once
 
 #include "vcg_ext/base/mesh_types.h"

@@ -47,6 +47,7 @@ struct SumFrame {
 	}
 };
 
+// The frame of all points in a box. Complexity: O(1).
 SumFrame makeSumFrame(const BoundingBox& box);
 
 // The sums over a set of triangles, in a frame.
@@ -74,7 +75,7 @@ inline void addTriangle(const Point& p, const Point& q, const Point& r, SurfaceS
 }
 
 // The volume that closed triangles enclose, and the area of any; one beyond the range of double
-// becomes infinite or 0.
+// becomes infinite or 0. In the cube and square of the coordinates' unit. Complexity: O(1).
 double volumeOf(const SurfaceSums& sums, const SumFrame& frame);
 double areaOf(const SurfaceSums& sums, const SumFrame& frame);
 

@@ -19,7 +19,7 @@ struct FaceRange {
 	std::size_t begin, end;
 };
 
-// True if a, b and c lie on one line or coincide. \pre finite. O(1), mostly 8 flops.
+// True if a, b and c lie on one line or coincide. \pre finite. Complexity: O(1), mostly 8 flops.
 bool hasZeroArea(const Point& a, const Point& b, const Point& c);
 
 // Finds the zero-area faces of a range.
@@ -32,7 +32,8 @@ bool hasZeroArea(const Point& a, const Point& b, const Point& c);
 Status findZeroAreaFaces(const Points& points, const IndexTriangles& triangles, FaceRange range,
                          int threads, Monitor& monitor, std::vector<std::uint32_t>& out);
 
-// The same among the faces listed in `candidates` (ascending, each once). O(candidates).
+// The same among the faces listed in `candidates` (ascending, each once).
+// \return as above. Complexity: O(candidates), in parallel.
 Status findZeroAreaFacesAmong(const std::vector<std::uint32_t>& candidates, const Points& points,
                               const IndexTriangles& triangles, int threads, Monitor& monitor,
                               std::vector<std::uint32_t>& out);

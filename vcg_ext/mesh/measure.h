@@ -19,6 +19,8 @@ struct BlockMeasure {
 // The volume, area, components and closedness of an indexed triangle surface.
 // \param points, triangles a surface whose triangles index points
 // \param threads 0 = all
+// \return in the cube and square of the coordinates' unit; never fails, but may throw
+// std::bad_alloc Complexity: O(n), in parallel.
 BlockMeasure measureSurface(const Points& points, const IndexTriangles& triangles, int threads);
 
 }  // namespace index_boolean

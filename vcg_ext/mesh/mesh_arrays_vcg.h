@@ -55,6 +55,8 @@ struct LiveElements {
 	std::size_t operator[](std::size_t i) const { return positions.empty() ? i : positions[i]; }
 };
 
+// The elements of a mesh's vector that are not deleted.
+// \param liveCount how many the mesh says there are. Throws std::bad_alloc. Complexity: O(n).
 template <class Elements>
 LiveElements liveElements(const Elements& elements, int liveCount) {
 	const auto count = static_cast<std::size_t>(liveCount);
@@ -342,6 +344,7 @@ auto addVertexAttribute(const std::string& name, std::size_t n, TriMesh& out) {
 	return attribute;
 }
 
+// The same for faces.
 template <class Value, class TriMesh>
 auto addFaceAttribute(const std::string& name, std::size_t n, TriMesh& out) {
 	auto attribute = vcg::tri::Allocator<TriMesh>::template AddPerFaceAttribute<Value>(out, name);

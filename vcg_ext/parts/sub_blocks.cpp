@@ -245,7 +245,7 @@ int Assembler::windingStep(OperandId operand, std::uint32_t surface) const {
 	}
 	const bool isOther = operand == kSecond && face.sources[0] != FaceId::none() && face.opposed;
 	const bool runsAlike = isOther == (surfaces_.turned[first] != 0);
-	return runsAlike != arrangement_.turned[operand] ? 1 : -1;
+	return runsAlike != arrangement_.insideOut[operand] ? 1 : -1;
 }
 
 // A closed operand that does not part space consistently intersects itself.

@@ -122,8 +122,8 @@ TEST(Blocks, aMeshInsideOutIsTurnedRightSideOut) {
 	const BooleanRun straight = run(kBoxA, kBoxB);
 	const BooleanRun turnedRun = run(turned(kBoxA), kBoxB);
 	expectLaws(turnedRun);
-	EXPECT_TRUE(turnedRun.arrangement.turned[0]);
-	EXPECT_FALSE(turnedRun.arrangement.turned[1]);
+	EXPECT_TRUE(turnedRun.arrangement.insideOut[kFirst]);
+	EXPECT_FALSE(turnedRun.arrangement.insideOut[kSecond]);
 	for (const Operation operation : kOperations) {
 		EXPECT_EQ(geometry(straight.block(operation)), geometry(turnedRun.block(operation)));
 	}
