@@ -8,6 +8,7 @@ import sys
 from pathlib import Path
 
 import pytest
+from cpp_functions import functions_of
 
 ROOT = Path(__file__).resolve().parents[2]
 TOOLS = Path(sys.prefix) / "bin"
@@ -29,6 +30,57 @@ def test_cppIsFormatted():
         capture_output=True, text=True, timeout=120,
     )
     assert done.returncode == 0, done.stderr[-3000:]
+
+
+MOST_LINES, MOST_PARAMETERS = 60, 6
+
+
+def beyond_the_limits(text):
+    """The functions with too many lines or parameters, as sentences."""
+    return [
+        f"line {f.line}: {f.name} has {f.lines} lines and {f.parameters} parameters"
+        for f in functions_of(text) if f.lines > MOST_LINES or f.parameters > MOST_PARAMETERS
+    ]
+
+
+def test_noFunctionHasMoreThan60LinesOr6Parameters():
+    texts = {
+        path.relative_to(ROOT): path.read_text() for path in sources(".cpp", ".h")
+        if not path.is_relative_to(ROOT / "tests")
+    }
+    assert sum(len(functions_of(text)) for text in texts.values()) > 1000
+    found = [f"{path}, {each}" for path, text in texts.items() for each in beyond_the_limits(text)]
+    assert not found, "\n".join(found)
+
+
+SEVEN = "std::map<int, int> a, int b = f(1, 2), int (*c)(int, int), int d, int e, int f, int g"
+
+
+@pytest.mark.parametrize("beyond", [
+    f"int f({SEVEN}) {{ return '{{'; }}",
+    f"template <class T>\nauto T::f({SEVEN}) const noexcept -> int {{}}",
+    f"Name::Name({SEVEN})\n    : Base<int>(a), b_{{b}}, c_(\"{{\") {{}}",
+    f"bool operator()({SEVEN}) {{}}",
+    f"void g() {{\n\tcall([&]({SEVEN}) mutable {{}});\n}}",
+    "int f(int a) {" + 60 * "\n" + "}",
+    "int f(int a) try {" + 58 * "\n" + "} catch (const E& e) {\n\t// }\n}",
+])
+def test_aFunctionBeyondTheLimitsIsFound(beyond):
+    assert len(beyond_the_limits(f"namespace n {{\n{beyond}\n}}")) == 1
+
+
+@pytest.mark.parametrize("within", [
+    f"int f({SEVEN.removesuffix(', int g')}) {{}}",
+    f"int f({SEVEN});",
+    f"// int f({SEVEN}) {{}}",
+    "int f() { return g(1, 2, 3, 4, 5, 6, 7); }",
+    "if (f(1, 2, 3, 4, 5, 6, 7)) {}",
+    "int f(int a) {" + 59 * "\n" + "}",
+    "TEST(Name, test) {" + 60 * "\n" + "}",
+    "namespace n {" + 60 * "\n" + "}",
+])
+def test_aFunctionWithinTheLimitsIsLeftInPeace(within):
+    assert not beyond_the_limits(within)
 
 
 # Each wing may include itself and those before it.
