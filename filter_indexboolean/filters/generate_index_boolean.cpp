@@ -77,7 +77,7 @@ std::vector<LayerContent> contentsOf(const BooleanResult& result, const BooleanR
 		if (transfer != nullptr) {
 			content.prepareAttributes = [&result, &block, transfer, i](MeshModel& layer,
 			                                                           ElementWriters& writers) {
-				transfer->prepare(block, result.sources[i], result.turned, layer, writers);
+				transfer->prepare(block, result.sources[i], result.report.turned, layer, writers);
 			};
 		}
 		contents.push_back(std::move(content));
@@ -99,7 +99,7 @@ std::vector<int> idsOf(const std::vector<MeshModel*>& layers) {
 std::vector<std::string> findings(const BooleanResult& result, bool curves,
                                   const AttributeTransfer* transfer, const AdapterSeconds& seconds,
                                   const LayerNames& names) {
-	std::vector<std::string> messages = operandMessages(result.turned, result.duplicates, names);
+	std::vector<std::string> messages = operandMessages(result.report, names);
 	if (transfer != nullptr) {
 		for (std::string& message : transfer->messages(names)) {
 			messages.push_back(std::move(message));
@@ -112,9 +112,9 @@ std::vector<std::string> findings(const BooleanResult& result, bool curves,
 		                       : blockMessage(block, result.audit.blocks[i], names));
 	}
 	if (curves) {
-		messages.push_back(curvesMessage(result.curves, result.loopCounts, names));
+		messages.push_back(curvesMessage(result.curves, result.report.loopCounts, names));
 	}
-	messages.push_back(timeMessage(seconds.total, result.seconds));
+	messages.push_back(timeMessage(seconds.total, result.report.seconds));
 	return messages;
 }
 

@@ -43,10 +43,9 @@ FilterOutput generateIndexBooleanCurves(const ParameterValues& values, MeshDocum
 	seconds.writeLayers = writing.seconds();
 	seconds.total = total.seconds();
 
-	std::vector<std::string> messages =
-	    operandMessages(result.turned, result.duplicates, operands.names);
-	messages.push_back(curvesMessage(result.curves, result.loopCounts, operands.names));
-	messages.push_back(timeMessage(seconds.total, result.seconds));
+	std::vector<std::string> messages = operandMessages(result.report, operands.names);
+	messages.push_back(curvesMessage(result.curves, result.report.loopCounts, operands.names));
+	messages.push_back(timeMessage(seconds.total, result.report.seconds));
 	return {resultMap(result, layers.front()->id(), seconds), messages};
 }
 

@@ -84,7 +84,7 @@ Status findSources(const AttributeTransfer& transfer, Progress& progress, SplitR
 		status = attributeSources(result.arrangement, transfer.givenTriangles(), seams,
 		                          transfer.needs(), monitor, layers[i], sources[i]);
 	}
-	result.stageTimes.push_back({"attributes", time.seconds()});
+	result.report.addStage("attributes", time);
 	return status;
 }
 
@@ -100,9 +100,7 @@ PieceLayers layersByKind(const std::vector<SplitLayer>& layers,
 std::vector<std::string> findings(const SplitResult& result, const SplitRequest& request,
                                   const AttributeTransfer& transfer, const AdapterSeconds& seconds,
                                   const LayerNames& names) {
-	const Arrangement& arrangement = result.arrangement;
-	std::vector<std::string> messages =
-	    operandMessages(arrangement.turned, arrangement.duplicates, names);
+	std::vector<std::string> messages = operandMessages(result.report, names);
 	for (std::string& message : transfer.messages(names)) {
 		messages.push_back(std::move(message));
 	}
@@ -117,7 +115,7 @@ std::vector<std::string> findings(const SplitResult& result, const SplitRequest&
 	if (request.separateLayers && !hasLayerForEachPiece(result, request)) {
 		messages.push_back(tooManyLayersMessage(pieceCount(result, request), request.maxLayers));
 	}
-	messages.push_back(timeMessage(seconds.total, result.seconds));
+	messages.push_back(timeMessage(seconds.total, result.report.seconds));
 	return messages;
 }
 

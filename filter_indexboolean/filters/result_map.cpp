@@ -41,12 +41,6 @@ QVariant listOf(const Elements& elements, Number&& number) {
 	return listValue(numbers);
 }
 
-void addLoopCounts(const LoopCounts& counts, ResultMap& map) {
-	map["loops_open"] = toInt(counts.open);
-	map["loops_hard_closed"] = toInt(counts.hardClosed);
-	map["loops_soft_closed"] = toInt(counts.softClosed);
-}
-
 void addLoops(const CurveLines& curves, int layerId, ResultMap& map) {
 	map["curves_layer"] = layerId;
 	map["loop_lengths"] = listOf(curves.lines, [](const CurveLine& line) { return line.length; });
@@ -99,14 +93,17 @@ void addIncidence(const CurveLines& curves, const SubSurfaces& surfaces, ResultM
 	}
 }
 
-void addSeconds(const std::vector<StageTime>& stages, double core, const AdapterSeconds& adapter,
-                ResultMap& map) {
-	for (const StageTime& time : stages) {
+// What every filter reports.
+void addReport(const RunReport& report, const AdapterSeconds& adapter, ResultMap& map) {
+	map["loops_open"] = toInt(report.loopCounts.open);
+	map["loops_hard_closed"] = toInt(report.loopCounts.hardClosed);
+	map["loops_soft_closed"] = toInt(report.loopCounts.softClosed);
+	for (const StageTime& time : report.stageTimes) {
 		map["seconds_" + keyOf(time.stage)] = time.seconds;
 	}
 	map["seconds_read_layers"] = adapter.readLayers;
 	map["seconds_write_layers"] = adapter.writeLayers;
-	map["seconds_core"] = core;
+	map["seconds_core"] = report.seconds;
 	map["seconds_total"] = adapter.total;
 }
 
@@ -122,11 +119,10 @@ ResultMap resultMap(const BooleanResult& result, const std::vector<int>& layerId
 	}
 	map["volume_law_residual"] = result.audit.volumeLawResidual;
 	map["zero_area_faces_removed"] = toInt(zeroAreaFaces);
-	addLoopCounts(result.loopCounts, map);
+	addReport(result.report, seconds, map);
 	if (layerIds.size() > result.blocks.size()) {
 		addLoops(result.curves, layerIds.back(), map);
 	}
-	addSeconds(result.stageTimes, result.seconds, seconds, map);
 	return map;
 }
 
@@ -153,17 +149,15 @@ ResultMap resultMap(const SplitResult& result, const PieceLayers& layerIds,
 	map["sub_blocks_closed"] = result.audit.closed;
 	map["volume_law_residual"] = result.audit.volumeLawResidual;
 	map["zero_area_faces_removed"] = toInt(zeroAreaFaces);
-	addLoopCounts(result.arrangement.loopCounts, map);
-	addSeconds(result.stageTimes, result.seconds, seconds, map);
+	addReport(result.report, seconds, map);
 	return map;
 }
 
 ResultMap resultMap(const CurvesResult& result, int layerId, const AdapterSeconds& seconds) {
 	ResultMap map;
-	addLoopCounts(result.loopCounts, map);
+	addReport(result.report, seconds, map);
 	addLoops(result.curves, layerId, map);
 	addIncidence(result.curves, result.surfaces, map);
-	addSeconds(result.stageTimes, result.seconds, seconds, map);
 	return map;
 }
 

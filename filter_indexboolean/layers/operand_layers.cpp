@@ -76,21 +76,4 @@ OperandArrays readOperands(const OperandLayers& operands, Progress& progress) {
 	return read;
 }
 
-std::vector<std::string> operandMessages(const std::array<bool, 2>& turned,
-                                         const DuplicateFaces& duplicates,
-                                         const LayerNames& names) {
-	std::vector<std::string> messages;
-	for (std::size_t k = 0; k < names.size(); ++k) {
-		if (turned[k]) {
-			messages.push_back(turnedMessage(names[k]));
-		}
-		const std::size_t once = duplicates.takenOnce[k];
-		const std::size_t cancelled = duplicates.cancelledPairs[k];
-		if (once + cancelled > 0) {
-			messages.push_back(duplicatesMessage(names[k], once, cancelled));
-		}
-	}
-	return messages;
-}
-
 }  // namespace index_boolean

@@ -12,9 +12,6 @@
 
 #include <vcg_ext/index_boolean.h>
 
-#include <string>
-#include <vector>
-
 namespace index_boolean {
 
 struct OperandLayers {
@@ -41,9 +38,5 @@ void refuseDefect(const Status& status, const OperandArrays& read, const Operand
 
 // Both operands' arrays; throws Refusal if they cannot be read.
 OperandArrays readOperands(const OperandLayers& operands, Progress& progress);
-
-// What the core has changed in the operands, for the log.
-std::vector<std::string> operandMessages(const std::array<bool, 2>& turned,
-                                         const DuplicateFaces& duplicates, const LayerNames& names);
 
 }  // namespace index_boolean

@@ -4,8 +4,6 @@
 // One arrangement, then each block from it, then the audit.
 #include "runs/boolean_run.h"
 
-#include "runs/stopwatch.h"
-
 #include <utility>
 
 namespace index_boolean {
@@ -66,16 +64,13 @@ Status runBoolean(MeshArrays input, const BooleanRequest& request, Progress& pro
 	if (!status.ok()) {
 		return status;
 	}
-	result.turned = arrangement.turned;
-	result.duplicates = arrangement.duplicates;
-	result.loopCounts = arrangement.loopCounts;
-	result.stageTimes = arrangement.stageTimes;
+	result.report = reportOf(arrangement);
 
 	status = extractBlocks(arrangement, request.operations, progress, result.blocks);
 	if (!status.ok()) {
 		return status;
 	}
-	addBlockTimes(result.blocks, result.stageTimes);
+	addBlockTimes(result.blocks, result.report.stageTimes);
 
 	const Stopwatch auditTime;
 	Monitor auditing = progress.nextPhase(kAuditShare);
@@ -84,20 +79,20 @@ Status runBoolean(MeshArrays input, const BooleanRequest& request, Progress& pro
 	if (!status.ok()) {
 		return status;
 	}
-	result.stageTimes.push_back({"audit", auditTime.seconds()});
+	result.report.addStage("audit", auditTime);
 
 	const Stopwatch sourcesTime;
 	status = findSources(arrangement, request, progress, result);
 	if (!status.ok()) {
 		return status;
 	}
-	result.stageTimes.push_back({"attributes", sourcesTime.seconds()});
+	result.report.addStage("attributes", sourcesTime);
 
 	if (request.curves) {
 		Monitor drawing = progress.nextPhase(kCurvesShare);
 		status = extractCurve(arrangement, drawing, result.curves);
 	}
-	result.seconds = total.seconds();
+	result.report.seconds = total.seconds();
 	return status;
 }
 

@@ -6,6 +6,7 @@
 #pragma once
 
 #include "runs/progress.h"
+#include "runs/run_report.h"
 
 #include <vcg_ext/index_boolean.h>
 
@@ -23,15 +24,11 @@ struct BooleanRequest {
 };
 
 struct BooleanResult {
-	std::array<bool, 2> turned{};
-	DuplicateFaces duplicates;
-	LoopCounts loopCounts;
+	RunReport report;
 	std::vector<Block> blocks;              // one for each operation requested
 	Audit audit;                            // of these blocks
 	std::vector<AttributeSources> sources;  // of each block, if wanted
 	CurveLines curves;                      // if requested
-	std::vector<StageTime> stageTimes;
-	double seconds = 0;  // from arrays to arrays
 };
 
 // \param input    moved in

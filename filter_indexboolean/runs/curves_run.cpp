@@ -4,8 +4,6 @@
 // One arrangement, then its sub-surfaces and polylines.
 #include "runs/curves_run.h"
 
-#include "runs/stopwatch.h"
-
 #include <utility>
 
 namespace index_boolean {
@@ -25,10 +23,7 @@ Status runCurves(MeshArrays input, const Options& options, Progress& progress,
 	if (!status.ok()) {
 		return status;
 	}
-	result.turned = arrangement.turned;
-	result.duplicates = arrangement.duplicates;
-	result.loopCounts = arrangement.loopCounts;
-	result.stageTimes = arrangement.stageTimes;
+	result.report = reportOf(arrangement);
 
 	Monitor finding = progress.nextPhase(kFindingShare);
 	Split split;
@@ -37,11 +32,11 @@ Status runCurves(MeshArrays input, const Options& options, Progress& progress,
 		return status;
 	}
 	result.surfaces = std::move(split.surfaces);
-	result.stageTimes.push_back(split.stageTimes.front());
+	result.report.addStages(split.stageTimes);
 
 	Monitor drawing = progress.nextPhase(kDrawingShare);
 	status = extractCurve(arrangement, drawing, result.curves);
-	result.seconds = total.seconds();
+	result.report.seconds = total.seconds();
 	return status;
 }
 

@@ -6,6 +6,7 @@
 #pragma once
 
 #include "runs/progress.h"
+#include "runs/run_report.h"
 
 #include <vcg_ext/index_boolean.h>
 
@@ -14,13 +15,9 @@
 namespace index_boolean {
 
 struct CurvesResult {
-	std::array<bool, 2> turned{};
-	DuplicateFaces duplicates;
-	LoopCounts loopCounts;
+	RunReport report;
 	CurveLines curves;
 	SubSurfaces surfaces;  // that the loops bound
-	std::vector<StageTime> stageTimes;
-	double seconds = 0;  // from arrays to arrays
 };
 
 // \param input  moved in

@@ -4,8 +4,6 @@
 // One arrangement, its sub-surfaces and sub-blocks, the meshes asked for, then the audit.
 #include "runs/split_run.h"
 
-#include "runs/stopwatch.h"
-
 #include <utility>
 
 namespace index_boolean {
@@ -46,12 +44,12 @@ Status runSplit(MeshArrays input, const SplitRequest& request, Progress& progres
 	Monitor arranging = progress.nextPhase(kArrangingShare);
 	Status status =
 	    arrangeSurfaces(std::move(input), request.options, arranging, result.arrangement);
-	result.stageTimes = result.arrangement.stageTimes;
+	RunReport& report = result.report;
+	report = reportOf(result.arrangement);
 	if (status.ok()) {
 		Monitor monitor = progress.nextPhase(kFindingShare);
 		status = split(result.arrangement, monitor, result.split);
-		const std::vector<StageTime>& times = result.split.stageTimes;
-		result.stageTimes.insert(result.stageTimes.end(), times.begin(), times.end());
+		report.addStages(result.split.stageTimes);
 	}
 	const Stopwatch meshesTime;
 	if (status.ok()) {
@@ -60,15 +58,15 @@ Status runSplit(MeshArrays input, const SplitRequest& request, Progress& progres
 	if (status.ok() && request.subBlocks) {
 		status = collectBlockMeshes(progress, result);
 	}
-	result.stageTimes.push_back({"split_meshes", meshesTime.seconds()});
+	report.addStage("split_meshes", meshesTime);
 	if (status.ok()) {
 		const Stopwatch auditTime;
 		Monitor monitor = progress.nextPhase(kAuditShare);
 		monitor.beginStage("audit", 0, 1);
 		status = audit(result.arrangement, result.split, result.blockMeshes, monitor, result.audit);
-		result.stageTimes.push_back({"audit", auditTime.seconds()});
+		report.addStage("audit", auditTime);
 	}
-	result.seconds = total.seconds();
+	report.seconds = total.seconds();
 	return status;
 }
 

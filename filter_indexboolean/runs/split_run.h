@@ -6,6 +6,7 @@
 #pragma once
 
 #include "runs/progress.h"
+#include "runs/run_report.h"
 
 #include <vcg_ext/index_boolean.h>
 
@@ -23,13 +24,12 @@ struct SplitRequest {
 
 // The arrangement, what it is cut into, the meshes of what was asked for, and their audit.
 struct SplitResult {
+	RunReport report;
 	Arrangement arrangement;
 	Split split;
 	std::array<SplitMesh, 2> surfaceMeshes;  // of each operand; empty unless asked for
 	std::vector<SplitMesh> blockMeshes;      // of each block; none unless asked for
 	SplitAudit audit;
-	std::vector<StageTime> stageTimes;
-	double seconds = 0;  // from arrays to arrays
 
 	// How many sub-surfaces an operand has.
 	std::size_t surfaceCount(std::size_t operand) const {

@@ -164,6 +164,21 @@ std::string duplicatesMessage(const LayerName& layer, std::size_t takenOnce,
 	return text + ".";
 }
 
+std::vector<std::string> operandMessages(const RunReport& report, const LayerNames& layers) {
+	std::vector<std::string> messages;
+	for (std::size_t k = 0; k < layers.size(); ++k) {
+		if (report.turned[k]) {
+			messages.push_back(turnedMessage(layers[k]));
+		}
+		const std::size_t once = report.duplicates.takenOnce[k];
+		const std::size_t cancelled = report.duplicates.cancelledPairs[k];
+		if (once + cancelled > 0) {
+			messages.push_back(duplicatesMessage(layers[k], once, cancelled));
+		}
+	}
+	return messages;
+}
+
 std::string lackingAttributesMessage(const LayerName& layer,
                                      const std::vector<std::string>& attributes) {
 	std::string list = attributes.front();

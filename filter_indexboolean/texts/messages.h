@@ -43,6 +43,9 @@ std::string turnedMessage(const LayerName& layer);
 std::string duplicatesMessage(const LayerName& layer, std::size_t takenOnce,
                               std::size_t cancelledPairs);
 
+// The last two, of each layer that they are true of.
+std::vector<std::string> operandMessages(const RunReport& report, const LayerNames& layers);
+
 // The layer does not carry these attributes, which the other one does. At least one.
 std::string lackingAttributesMessage(const LayerName& layer,
                                      const std::vector<std::string>& attributes);

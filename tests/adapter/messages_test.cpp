@@ -93,6 +93,18 @@ TEST(Messages, duplicateFacesAreCountedByWhatBecameOfThem) {
 	    "taken once, 2 opposite pairs cancelled.");
 }
 
+TEST(Messages, whatTheCoreHasChangedIsToldOfEachLayer) {
+	RunReport report;
+	EXPECT_TRUE(operandMessages(report, kLayers).empty());
+	report.turned[1] = true;
+	report.duplicates.takenOnce[0] = 12;
+	report.duplicates.cancelledPairs[1] = 1;
+	const std::vector<std::string> expected{duplicatesMessage(kLayers[0], 12, 0),
+	                                        turnedMessage(kLayers[1]),
+	                                        duplicatesMessage(kLayers[1], 0, 1)};
+	EXPECT_EQ(operandMessages(report, kLayers), expected);
+}
+
 TEST(Messages, aSelfIntersectionIsSentToTheFullSearchAndToTheHostsOwn) {
 	const std::string message = refusal(StatusCode::SelfIntersecting, 1);
 	EXPECT_TRUE(contains(message, "intersects itself: 12345 faces are concerned")) << message;

@@ -2,9 +2,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // The runs behind the filters for splitting and for curves, driven through the host's kind of
-// callback.
+// callback; and what all runs report alike.
 #include "watched_host.h"
 
+#include <runs/boolean_run.h>
 #include <runs/curves_run.h>
 #include <runs/split_run.h>
 
@@ -47,12 +48,8 @@ TEST(SplitRun, blocksAreAuditedAndTimed) {
 	ASSERT_EQ(result.blockMeshes.size(), 3u);
 	EXPECT_TRUE(result.audit.closed);
 	EXPECT_LT(result.audit.volumeLawResidual, 1e-15);
-	EXPECT_STREQ(result.stageTimes.back().stage, "audit");
-	double sum = 0;
-	for (const StageTime& time : result.stageTimes) {
-		sum += time.seconds;
-	}
-	EXPECT_LE(sum, result.seconds);
+	EXPECT_STREQ(result.report.stageTimes.back().stage, "audit");
+	expectTimed(result.report);
 }
 
 TEST(SplitRun, withoutBlocksTheVolumesAreAuditedAlone) {
@@ -75,11 +72,57 @@ TEST(CurvesRun, theHostSeesPercentsThatNeverFallOnItsOwnThread) {
 	}
 }
 
+TEST(CurvesRun, stagesAndTheWholeAreTimed) {
+	CurvesResult result;
+	ASSERT_TRUE(curvesWith(0, result).ok());
+	EXPECT_STREQ(result.report.stageTimes.back().stage, "sub_surfaces");
+	expectTimed(result.report);
+}
+
 TEST(CurvesRun, aHostThatAnswersFalseCancelsAtEveryCall) {
 	expectCancelledAtEveryCall([](int call) {
 		CurvesResult result;
 		return curvesWith(call, result);
 	});
+}
+
+// The second box inside out, and one face of the first there twice.
+MeshArrays boxesWithFindings() {
+	MeshArrays boxes = overlappingBoxes();
+	for (std::size_t f = boxes.faceBegin[1]; f < boxes.faceBegin[2]; ++f) {
+		std::swap(boxes.triangles[f][1], boxes.triangles[f][2]);
+	}
+	boxes.triangles.insert(boxes.triangles.begin(), Triangle(boxes.triangles.front()));
+	++boxes.faceBegin[1];
+	++boxes.faceBegin[2];
+	return boxes;
+}
+
+void expectFindings(const RunReport& report) {
+	EXPECT_FALSE(report.turned[0]);
+	EXPECT_TRUE(report.turned[1]);
+	EXPECT_EQ(report.duplicates.takenOnce[0], 1u);
+	EXPECT_EQ(report.duplicates.takenOnce[1], 0u);
+	EXPECT_EQ(report.loopCounts.hardClosed, 1u);
+}
+
+TEST(RunReport, allRunsReportTheSameOfTheOperands) {
+	BooleanRequest request;
+	request.operations = {Operation::Union};
+	BooleanResult blocks;
+	Progress progress = watch(0);
+	ASSERT_TRUE(runBoolean(boxesWithFindings(), request, progress, blocks).ok());
+	expectFindings(blocks.report);
+
+	SplitResult pieces;
+	progress = watch(0);
+	ASSERT_TRUE(runSplit(boxesWithFindings(), SplitRequest{}, progress, pieces).ok());
+	expectFindings(pieces.report);
+
+	CurvesResult curves;
+	progress = watch(0);
+	ASSERT_TRUE(runCurves(boxesWithFindings(), Options{}, progress, curves).ok());
+	expectFindings(curves.report);
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #pragma once
 
 #include <runs/progress.h>
+#include <runs/run_report.h>
 
 #include <vcg_ext/index_boolean.h>
 
@@ -83,6 +84,17 @@ inline void expectGoodManners() {
 	EXPECT_TRUE(seen.monotone);
 	EXPECT_TRUE(seen.named);
 	EXPECT_TRUE(seen.onThisThread);
+}
+
+// All stages are timed, and the whole.
+inline void expectTimed(const RunReport& report) {
+	double sum = 0;
+	for (const StageTime& time : report.stageTimes) {
+		sum += time.seconds;
+	}
+	EXPECT_GT(report.stageTimes.size(), 4u);
+	EXPECT_GT(report.seconds, 0);
+	EXPECT_LE(sum, report.seconds);
 }
 
 // Runs once for each call of the callback, and has that one answered false.

@@ -1,0 +1,43 @@
+// SPDX-FileCopyrightText: 2026 The Index Boolean authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// in: an arrangement, and what a run measures; out: what every run, whichever it is, has to tell of
+// the operands, the curve and the time, for the result map and the log.
+#pragma once
+
+#include "runs/stopwatch.h"
+
+#include <vcg_ext/index_boolean.h>
+
+#include <vector>
+
+namespace index_boolean {
+
+struct RunReport {
+	std::array<bool, 2> turned{};  // per operand, as in the arrangement
+	DuplicateFaces duplicates;
+	LoopCounts loopCounts;
+	std::vector<StageTime> stageTimes;  // in the order of the stages
+	double seconds = 0;                 // from arrays to arrays
+
+	// The core's stages that have come to their end since.
+	void addStages(const std::vector<StageTime>& times) {
+		stageTimes.insert(stageTimes.end(), times.begin(), times.end());
+	}
+	// A stage of the run's own, which began with the stopwatch, has just come to its end.
+	void addStage(const char* stage, const Stopwatch& time) {
+		stageTimes.push_back({stage, time.seconds()});
+	}
+};
+
+// The report of a run that has come as far as its arrangement.
+inline RunReport reportOf(const Arrangement& arrangement) {
+	RunReport report;
+	report.turned = arrangement.turned;
+	report.duplicates = arrangement.duplicates;
+	report.loopCounts = arrangement.loopCounts;
+	report.stageTimes = arrangement.stageTimes;
+	return report;
+}
+
+}  // namespace index_boolean
