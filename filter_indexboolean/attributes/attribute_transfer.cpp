@@ -26,10 +26,17 @@ AttributeTransfer::AttributeTransfer(const std::array<MeshModel*, 2>& layers,
     : options_(options), access_(layers, read), textures_(layers),
       columns_(attributeColumns(access_, textures_, withProvenance(options.reserved))) {}
 
-AttributeNeeds AttributeTransfer::needs() const {
-	return {std::any_of(columns_.begin(), columns_.end(),
-	                    [](const AttributeColumn& c) { return c.of == ElementKind::Corner; }),
-	        options_.partCurve};
+AttributeRequest AttributeTransfer::request() const {
+	AttributeRequest request;
+	request.given = [this](GivenFace face) { return access_.givenTriangle(face); };
+	request.same = [this](VertexId a, VertexId b, bool alsoNormals) {
+		return areSame(access_.vertex(a.value), access_.vertex(b.value), alsoNormals);
+	};
+	request.needs.corners =
+	    std::any_of(columns_.begin(), columns_.end(),
+	                [](const AttributeColumn& c) { return c.of == ElementKind::Corner; });
+	request.needs.partCurve = options_.partCurve;
+	return request;
 }
 
 bool AttributeTransfer::areSame(const OperandElementsAccess::Spot& a,
@@ -122,8 +129,8 @@ void AttributeTransfer::prepare(const SourcedMesh& mesh, const AttributeSources&
 	textures_.addTo(layer);
 }
 
-std::vector<std::string> AttributeTransfer::messages(const LayerNames& names) const {
-	std::vector<std::string> messages;
+void AttributeTransfer::addMessages(const LayerNames& names,
+                                    std::vector<std::string>& messages) const {
 	for (std::size_t operand = 0; operand < 2; ++operand) {
 		std::vector<std::string> lacking;
 		for (const AttributeColumn& column : columns_) {
@@ -135,7 +142,6 @@ std::vector<std::string> AttributeTransfer::messages(const LayerNames& names) co
 			messages.push_back(lackingAttributesMessage(names[operand], lacking));
 		}
 	}
-	return messages;
 }
 
 }  // namespace index_boolean

@@ -7,6 +7,7 @@
 #pragma once
 
 #include "attributes/layer_attributes.h"
+#include "runs/attribute_request.h"
 #include "texts/messages.h"
 
 namespace index_boolean {
@@ -25,16 +26,8 @@ public:
 	AttributeTransfer(const AttributeTransfer&) = delete;
 	AttributeTransfer& operator=(const AttributeTransfer&) = delete;
 
-	// What the core is to be asked for.
-	GivenTriangles givenTriangles() const {
-		return [this](GivenFace face) { return access_.givenTriangle(face); };
-	}
-	SameAttributes sameAttributes() const {
-		return [this](VertexId a, VertexId b, bool alsoNormals) {
-			return areSame(access_.vertex(a.value), access_.vertex(b.value), alsoNormals);
-		};
-	}
-	AttributeNeeds needs() const;
+	// What the core is to be asked for. Borrows this.
+	AttributeRequest request() const;
 
 	// Numbers for the faces of each operand: two have the same if each attribute has one value on
 	// both of them. Empty if there are no attributes.
@@ -48,8 +41,8 @@ public:
 	             const std::array<bool, 2>& turned, MeshModel& layer,
 	             ElementWriters& writers) const;
 
-	// A sentence for each operand that lacks what the other carries.
-	std::vector<std::string> messages(const LayerNames& names) const;
+	// Adds a sentence for each operand that lacks what the other carries.
+	void addMessages(const LayerNames& names, std::vector<std::string>& messages) const;
 
 private:
 	bool areSame(const OperandElementsAccess::Spot& a, const OperandElementsAccess::Spot& b,

@@ -54,9 +54,7 @@ std::unique_ptr<AttributeTransfer> attributeTransfer(const ParameterValues& valu
 	options.partCurve = values.getBool("duplicate_curve_vertices");
 	options.selectCurve = values.getBool("select_curve_vertices");
 	auto transfer = std::make_unique<AttributeTransfer>(operands.layers, read, options);
-	request.given = transfer->givenTriangles();
-	request.same = transfer->sameAttributes();
-	request.needs = transfer->needs();
+	request.attributes = transfer->request();
 	if (request.options.mergeCoplanar) {
 		read.arrays.faceClass = transfer->faceClasses();
 	}
@@ -101,9 +99,7 @@ std::vector<std::string> findings(const BooleanResult& result, bool curves,
                                   const LayerNames& names) {
 	std::vector<std::string> messages = operandMessages(result.report, names);
 	if (transfer != nullptr) {
-		for (std::string& message : transfer->messages(names)) {
-			messages.push_back(std::move(message));
-		}
+		transfer->addMessages(names, messages);
 	}
 	for (std::size_t i = 0; i < result.blocks.size(); ++i) {
 		const Block& block = result.blocks[i];

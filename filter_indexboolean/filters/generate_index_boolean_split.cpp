@@ -71,19 +71,12 @@ std::vector<LayerContent> contentsOf(const std::vector<SplitLayer>& layers,
 	return contents;
 }
 
-// Of each layer's elements; its vertices part at the operands' seams.
-Status findSources(const AttributeTransfer& transfer, Progress& progress, SplitResult& result,
-                   std::vector<SplitLayer>& layers, std::vector<AttributeSources>& sources) {
+// Of each layer's elements.
+Status findLayerSources(const AttributeTransfer& transfer, Progress& progress, SplitResult& result,
+                        std::vector<SplitLayer>& layers, std::vector<AttributeSources>& sources) {
 	const Stopwatch time;
 	Monitor monitor = progress.nextPhase(kSourcesShare);
-	Seams seams;
-	Status status = operandSeams(result.arrangement, transfer.givenTriangles(),
-	                             transfer.sameAttributes(), monitor, seams);
-	sources.resize(layers.size());
-	for (std::size_t i = 0; i < layers.size() && status.ok(); ++i) {
-		status = attributeSources(result.arrangement, transfer.givenTriangles(), seams,
-		                          transfer.needs(), monitor, layers[i], sources[i]);
-	}
+	Status status = findSources(result.arrangement, transfer.request(), monitor, layers, sources);
 	result.report.addStage("attributes", time);
 	return status;
 }
@@ -101,9 +94,7 @@ std::vector<std::string> findings(const SplitResult& result, const SplitRequest&
                                   const AttributeTransfer& transfer, const AdapterSeconds& seconds,
                                   const LayerNames& names) {
 	std::vector<std::string> messages = operandMessages(result.report, names);
-	for (std::string& message : transfer.messages(names)) {
-		messages.push_back(std::move(message));
-	}
+	transfer.addMessages(names, messages);
 	for (std::size_t operand = 0; operand < 2; ++operand) {
 		if (request.subSurfaces[operand]) {
 			messages.push_back(subSurfacesMessage(result, operand, names));
@@ -141,7 +132,7 @@ FilterOutput generateIndexBooleanSplit(const ParameterValues& values, MeshDocume
 	const Stopwatch writing;
 	std::vector<SplitLayer> layers = splitLayers(result, request, operands.names);
 	std::vector<AttributeSources> sources;
-	refuseUnlessOk(findSources(transfer, progress, result, layers, sources), operands.names);
+	refuseUnlessOk(findLayerSources(transfer, progress, result, layers, sources), operands.names);
 	std::vector<MeshModel*> added;
 	refuseUnlessOk(addLayers(contentsOf(layers, sources, transfer), progress, document, added),
 	               operands.names);

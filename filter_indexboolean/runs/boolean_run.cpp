@@ -23,23 +23,6 @@ Status extractBlocks(const Arrangement& arrangement, const std::vector<Operation
 	return {};
 }
 
-// Vertices that part here have been audited as one: a block is closed across its seams.
-Status findSources(const Arrangement& arrangement, const BooleanRequest& request,
-                   Progress& progress, BooleanResult& result) {
-	Monitor monitor = progress.nextPhase(kSourcesShare);
-	if (!request.given) {
-		return {};
-	}
-	Seams seams;
-	Status status = operandSeams(arrangement, request.given, request.same, monitor, seams);
-	result.sources.resize(result.blocks.size());
-	for (std::size_t i = 0; i < result.sources.size() && status.ok(); ++i) {
-		status = attributeSources(arrangement, request.given, seams, request.needs, monitor,
-		                          result.blocks[i], result.sources[i]);
-	}
-	return status;
-}
-
 // Adds up what each stage took for all blocks.
 void addBlockTimes(const std::vector<Block>& blocks, std::vector<StageTime>& times) {
 	const std::size_t first = times.size();
@@ -81,8 +64,13 @@ Status runBoolean(MeshArrays input, const BooleanRequest& request, Progress& pro
 	}
 	result.report.addStage("audit", auditTime);
 
+	// Vertices that part here have been audited as one: a block is closed across its seams.
 	const Stopwatch sourcesTime;
-	status = findSources(arrangement, request, progress, result);
+	Monitor finding = progress.nextPhase(kSourcesShare);
+	if (request.attributes.given) {
+		status =
+		    findSources(arrangement, request.attributes, finding, result.blocks, result.sources);
+	}
 	if (!status.ok()) {
 		return status;
 	}

@@ -5,6 +5,7 @@
 // result map and the log report. Free of MeshLab: any host's adapter runs it.
 #pragma once
 
+#include "runs/attribute_request.h"
 #include "runs/progress.h"
 #include "runs/run_report.h"
 
@@ -18,9 +19,7 @@ struct BooleanRequest {
 	Options options;
 	std::vector<Operation> operations;  // in the order of the layers
 	bool curves = false;                // and the curve as polylines
-	GivenTriangles given;               // if the blocks' attribute sources are wanted, with
-	SameAttributes same;
-	AttributeNeeds needs;
+	AttributeRequest attributes;        // of the blocks
 };
 
 struct BooleanResult {
