@@ -69,8 +69,7 @@ std::vector<LayerContent> contentsOf(const BooleanResult& result, const BooleanR
 	for (std::size_t i = 0; i < result.blocks.size(); ++i) {
 		const Block& block = result.blocks[i];
 		LayerContent content;
-		content.label =
-		    QString::fromStdString(blockLabel(block.operation, names[0].label, names[1].label));
+		content.label = QString::fromStdString(blockLabel(block.operation, names));
 		content.surface = &block;
 		if (transfer != nullptr) {
 			content.prepareAttributes = [&result, &block, transfer, i](MeshModel& layer,

@@ -30,7 +30,7 @@ LayerContent curveContent(const CurveLines& curves, const OperandArrays& read,
 		});
 	};
 	LayerContent content;
-	content.label = QString::fromStdString(curvesLabel(names[0].label, names[1].label));
+	content.label = QString::fromStdString(curvesLabel(names));
 	content.curves = &curves;
 	content.vertexAttributes = {
 	    perVertex("loop", curves, [&](std::size_t vertex) { return curves.line[vertex]; }),

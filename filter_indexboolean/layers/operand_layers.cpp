@@ -63,7 +63,7 @@ void refuseUnlessOk(const Status& status, const LayerNames& names) {
 }
 
 void refuseDefect(const Status& status, const OperandArrays& read, const OperandLayers& operands) {
-	const std::size_t operand = status.operand == 1 ? 1 : 0;
+	const std::size_t operand = operandOf(status);
 	if (!status.faces.empty()) {
 		selectFaces(status.faces, read.elements[operand].faces, *operands.layers[operand]);
 	}

@@ -27,7 +27,7 @@ void append(const Array& more, Array& all) {
 SplitLayer emptyLayer(PieceKind kind, const LayerNames& names) {
 	SplitLayer layer;
 	layer.kind = kind;
-	layer.label = splitLabel(kind, names[0].label, names[1].label);
+	layer.label = splitLabel(kind, names);
 	return layer;
 }
 
@@ -140,8 +140,7 @@ void appendParts(const SplitLayer& whole, std::size_t count, std::vector<SplitLa
 
 void appendSurfaceLayers(const SplitResult& result, std::size_t operand, bool separate,
                          const LayerNames& names, std::vector<SplitLayer>& layers) {
-	SplitLayer whole = emptyLayer(
-	    operand == 0 ? PieceKind::SubSurfacesOfFirst : PieceKind::SubSurfacesOfSecond, names);
+	SplitLayer whole = emptyLayer(subSurfacesOf(operand), names);
 	appendMesh(result.surfaceMeshes[operand], kNoNumber, result, whole);
 	colourFaces(whole);
 	if (separate) {

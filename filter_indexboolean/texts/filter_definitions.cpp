@@ -214,6 +214,22 @@ bool isFileSuffix(const std::string& text) {
 	       std::none_of(text.begin(), text.end(), isOther);
 }
 
+// A layer's label as a part of a new one: without the suffix of its file, and without dots. MeshLab
+// takes what follows a dot for a suffix: "a.ply union b.ply" it would save as a.ply, over the
+// operand, and a second layer of that label it would call "a(1).ply".
+std::string nameInLabel(std::string label) {
+	const std::size_t dot = label.rfind('.');
+	if (dot != std::string::npos && isFileSuffix(label.substr(dot + 1))) {
+		label.erase(dot);
+	}
+	std::replace(label.begin(), label.end(), '.', '_');
+	return label;
+}
+
+std::string joinedLabel(const LayerName& left, const char* infix, const LayerName& right) {
+	return nameInLabel(left.label) + " " + infix + " " + nameInLabel(right.label);
+}
+
 }  // namespace
 
 const char* const kPluginName = "FilterIndexBoolean";
@@ -235,36 +251,27 @@ const ParameterDefinition& parameterDefinition(FilterId id, const std::string& n
 	                     [&](const ParameterDefinition& p) { return name == p.name; });
 }
 
-std::string nameInLabel(std::string label) {
-	const std::size_t dot = label.rfind('.');
-	if (dot != std::string::npos && isFileSuffix(label.substr(dot + 1))) {
-		label.erase(dot);
-	}
-	std::replace(label.begin(), label.end(), '.', '_');
-	return label;
-}
-
-std::string blockLabel(Operation operation, const std::string& first, const std::string& second) {
+std::string blockLabel(Operation operation, const LayerNames& layers) {
 	const BlockDefinition& block = kBlockDefinitions[static_cast<std::size_t>(operation)];
-	const std::string& left = block.swapped ? second : first;
-	const std::string& right = block.swapped ? first : second;
-	return nameInLabel(left) + " " + block.infix + " " + nameInLabel(right);
+	const LayerName& left = layers[block.swapped ? 1 : 0];
+	const LayerName& right = layers[block.swapped ? 0 : 1];
+	return joinedLabel(left, block.infix, right);
 }
 
-std::string splitLabel(PieceKind kind, const std::string& first, const std::string& second) {
+std::string splitLabel(PieceKind kind, const LayerNames& layers) {
 	switch (kind) {
 	case PieceKind::SubSurfacesOfFirst:
-		return nameInLabel(first) + " cut by " + nameInLabel(second);
+		return joinedLabel(layers[0], "cut by", layers[1]);
 	case PieceKind::SubSurfacesOfSecond:
-		return nameInLabel(second) + " cut by " + nameInLabel(first);
+		return joinedLabel(layers[1], "cut by", layers[0]);
 	case PieceKind::SubBlocks:
 		break;
 	}
-	return nameInLabel(first) + " blocks " + nameInLabel(second);
+	return joinedLabel(layers[0], "blocks", layers[1]);
 }
 
-std::string curvesLabel(const std::string& first, const std::string& second) {
-	return nameInLabel(first) + " curves " + nameInLabel(second);
+std::string curvesLabel(const LayerNames& layers) {
+	return joinedLabel(layers[0], "curves", layers[1]);
 }
 
 }  // namespace index_boolean

@@ -5,6 +5,8 @@
 // MeshLab's API, so that each host's adapter reads the same list.
 #pragma once
 
+#include "texts/layer_names.h"
+
 #include <vcg_ext/index_boolean.h>
 
 #include <array>
@@ -63,27 +65,27 @@ constexpr std::array<BlockDefinition, kOperationCount> kBlockDefinitions{{
     {Operation::SymmetricDifference, false, "xor"},
 }};
 
-// A layer's label as a part of a new one: without the suffix of its file, and without dots. MeshLab
-// takes what follows a dot for a suffix: "a.ply union b.ply" it would save as a.ply, over the
-// operand, and a second layer of that label it would call "a(1).ply".
-std::string nameInLabel(std::string label);
-
-// The label of a block's layer: "A union B", "B minus A".
-std::string blockLabel(Operation operation, const std::string& first, const std::string& second);
+// The label of a block's layer: "A union B", "B minus A". In this and the others, the layers'
+// labels are without suffixes and dots, which MeshLab would take for the new layer's suffix.
+std::string blockLabel(Operation operation, const LayerNames& layers);
 
 // The pieces that a split can give, in the order of the new layers.
 enum class PieceKind : std::uint8_t { SubSurfacesOfFirst, SubSurfacesOfSecond, SubBlocks };
 constexpr int kPieceKindCount = 3;
+
+constexpr PieceKind subSurfacesOf(std::size_t operand) {
+	return operand == 0 ? PieceKind::SubSurfacesOfFirst : PieceKind::SubSurfacesOfSecond;
+}
 
 // Their parameters and result keys.
 constexpr std::array<const char*, kPieceKindCount> kPieceNames{
     {"sub_surfaces_first", "sub_surfaces_second", "sub_blocks"}};
 
 // The label of a layer of pieces: "A cut by B", "B cut by A", "A blocks B".
-std::string splitLabel(PieceKind kind, const std::string& first, const std::string& second);
+std::string splitLabel(PieceKind kind, const LayerNames& layers);
 
 // The label of the polylines' layer: "A curves B".
-std::string curvesLabel(const std::string& first, const std::string& second);
+std::string curvesLabel(const LayerNames& layers);
 
 extern const char* const kPluginName;
 extern const char* const kVendor;

@@ -95,11 +95,26 @@ std::string decimal(double number) {
 	return text.str();
 }
 
+// "a, b and c"; `last` stands before the last one.
+std::string listed(const std::vector<std::string>& names, const char* last) {
+	std::string list;
+	for (std::size_t i = 0; i < names.size(); ++i) {
+		list += i == 0 ? "" : i + 1 == names.size() ? last : ", ";
+		list += names[i];
+	}
+	return list;
+}
+
+std::string noneRequested(const char* noun, const std::vector<std::string>& parameters) {
+	return std::string("No ") + noun +
+	       " is asked for. Set at least one of these to true: " + listed(parameters, ", ") + ".";
+}
+
 // What describe(status) goes on from: the name of one layer, or a heading for its whole sentence.
 std::string subjectOf(const Remedy& remedy, const Status& status, const LayerNames& layers) {
 	switch (remedy.subject) {
 	case Subject::OneLayer:
-		return "Layer " + quoted(layers[status.operand == 1 ? 1 : 0]) + " ";
+		return "Layer " + quoted(layers[operandOf(status)]) + " ";
 	case Subject::BothLayers:
 		return "Layers " + quoted(layers[0]) + " and " + quoted(layers[1]) + ": ";
 	case Subject::Run:
@@ -109,6 +124,8 @@ std::string subjectOf(const Remedy& remedy, const Status& status, const LayerNam
 }
 
 }  // namespace
+
+std::size_t operandOf(const Status& status) { return status.operand == 1 ? 1 : 0; }
 
 std::string refusalMessage(const Status& status, const LayerNames& layers) {
 	const Remedy& remedy = kRemedies[static_cast<std::size_t>(status.code)];
@@ -133,11 +150,11 @@ std::string outOfRangeMessage(const ParameterDefinition& parameter, int value) {
 }
 
 std::string nothingRequestedMessage() {
-	std::string names;
+	std::vector<std::string> names;
 	for (const BlockDefinition& block : kBlockDefinitions) {
-		names += std::string(names.empty() ? "" : ", ") + operationName(block.operation);
+		names.emplace_back(operationName(block.operation));
 	}
-	return "No block is asked for. Set at least one of these to true: " + names + ".";
+	return noneRequested("block", names);
 }
 
 std::string unexpectedMessage(const char* what) {
@@ -181,17 +198,13 @@ std::vector<std::string> operandMessages(const RunReport& report, const LayerNam
 
 std::string lackingAttributesMessage(const LayerName& layer,
                                      const std::vector<std::string>& attributes) {
-	std::string list = attributes.front();
-	for (std::size_t i = 1; i < attributes.size(); ++i) {
-		list += (i + 1 == attributes.size() ? " and " : ", ") + attributes[i];
-	}
-	return "Layer " + quoted(layer) + " has no " + list +
+	return "Layer " + quoted(layer) + " has no " + listed(attributes, " and ") +
 	       ": what comes of it has MeshLab's default there.";
 }
 
 std::string blockMessage(const Block& block, const BlockMeasure& measure,
                          const LayerNames& layers) {
-	return "\"" + blockLabel(block.operation, layers[0].label, layers[1].label) +
+	return "\"" + blockLabel(block.operation, layers) +
 	       "\": " + counted(block.triangles.size(), "face") + ", " +
 	       counted(measure.components, "component") + ", volume " + decimal(measure.volume) +
 	       ", area " + decimal(measure.area) + ".";
@@ -199,7 +212,7 @@ std::string blockMessage(const Block& block, const BlockMeasure& measure,
 
 std::string curvesMessage(const CurveLines& curves, const LoopCounts& counts,
                           const LayerNames& layers) {
-	const std::string label = "\"" + curvesLabel(layers[0].label, layers[1].label) + "\"";
+	const std::string label = "\"" + curvesLabel(layers) + "\"";
 	if (curves.lines.empty()) {
 		return label + " is empty: the layers do not meet in a line.";
 	}
@@ -214,11 +227,7 @@ std::string curvesMessage(const CurveLines& curves, const LoopCounts& counts,
 }
 
 std::string noPiecesRequestedMessage() {
-	std::string names;
-	for (const char* name : kPieceNames) {
-		names += std::string(names.empty() ? "" : ", ") + name;
-	}
-	return "No piece is asked for. Set at least one of these to true: " + names + ".";
+	return noneRequested("piece", {kPieceNames.begin(), kPieceNames.end()});
 }
 
 std::string subSurfacesMessage(const SplitResult& result, std::size_t operand,
@@ -233,9 +242,7 @@ std::string subSurfacesMessage(const SplitResult& result, std::size_t operand,
 		area += surface.area;
 	}
 	const std::size_t count = result.surfaceCount(operand);
-	const PieceKind kind =
-	    operand == 0 ? PieceKind::SubSurfacesOfFirst : PieceKind::SubSurfacesOfSecond;
-	return "\"" + splitLabel(kind, layers[0].label, layers[1].label) +
+	return "\"" + splitLabel(subSurfacesOf(operand), layers) +
 	       "\": " + counted(count, "sub-surface") + " (" + std::to_string(count - shared) +
 	       " private, " + std::to_string(shared) + " public; " + std::to_string(separating) +
 	       " separating" +
@@ -244,8 +251,7 @@ std::string subSurfacesMessage(const SplitResult& result, std::size_t operand,
 }
 
 std::string subBlocksMessage(const SplitResult& result, const LayerNames& layers) {
-	const std::string label =
-	    "\"" + splitLabel(PieceKind::SubBlocks, layers[0].label, layers[1].label) + "\"";
+	const std::string label = "\"" + splitLabel(PieceKind::SubBlocks, layers) + "\"";
 	if (result.split.blocks.all.empty()) {
 		return label + " is empty: the layers bound no part of space.";
 	}
@@ -289,8 +295,7 @@ std::string emptyBlockMessage(Operation operation, const LayerNames& layers) {
 		reason = "the layers enclose the same solid";
 		break;
 	}
-	return "\"" + blockLabel(operation, layers[0].label, layers[1].label) +
-	       "\" is empty: " + reason + ".";
+	return "\"" + blockLabel(operation, layers) + "\" is empty: " + reason + ".";
 }
 
 }  // namespace index_boolean

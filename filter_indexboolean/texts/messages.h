@@ -7,21 +7,17 @@
 
 #include "runs/split_run.h"
 #include "texts/filter_definitions.h"
+#include "texts/layer_names.h"
 
 #include <vcg_ext/index_boolean.h>
 
-#include <array>
 #include <string>
 #include <vector>
 
 namespace index_boolean {
 
-// How a layer is called in sentences.
-struct LayerName {
-	std::string label;
-	int id;
-};
-using LayerNames = std::array<LayerName, 2>;
+// The operand that a status speaks of; the first, if it speaks of none alone.
+std::size_t operandOf(const Status& status);
 
 // Why the run was refused. The status is not Ok.
 std::string refusalMessage(const Status& status, const LayerNames& layers);

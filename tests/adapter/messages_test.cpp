@@ -14,6 +14,8 @@ namespace {
 
 const LayerNames kLayers{{{"bunny.ply", 3}, {"50% cube", 7}}};
 
+LayerNames named(const char* first, const char* second) { return {{{first, 0}, {second, 1}}}; }
+
 bool contains(const std::string& text, const std::string& part) {
 	return text.find(part) != std::string::npos;
 }
@@ -160,10 +162,10 @@ TEST(FilterDefinitions, piecesAreParametersOfTheSplit) {
 	for (const char* name : kPieceNames) {
 		EXPECT_STREQ(parameterDefinition(FilterId::GenerateIndexBooleanSplit, name).name, name);
 	}
-	EXPECT_EQ(splitLabel(PieceKind::SubSurfacesOfFirst, "A.ply", "B"), "A cut by B");
-	EXPECT_EQ(splitLabel(PieceKind::SubSurfacesOfSecond, "A", "B"), "B cut by A");
-	EXPECT_EQ(splitLabel(PieceKind::SubBlocks, "A", "B"), "A blocks B");
-	EXPECT_EQ(curvesLabel("A", "B"), "A curves B");
+	EXPECT_EQ(splitLabel(PieceKind::SubSurfacesOfFirst, named("A.ply", "B")), "A cut by B");
+	EXPECT_EQ(splitLabel(PieceKind::SubSurfacesOfSecond, named("A", "B")), "B cut by A");
+	EXPECT_EQ(splitLabel(PieceKind::SubBlocks, named("A", "B")), "A blocks B");
+	EXPECT_EQ(curvesLabel(named("A", "B")), "A curves B");
 }
 
 TEST(SplitLayers, neighbouringIdsHaveColoursThatDiffer) {
@@ -214,18 +216,20 @@ TEST(FilterDefinitions, switchesHaveTheDefaultsOfTheCore) {
 }
 
 TEST(FilterDefinitions, labelsHaveNoDotsThatTheHostWouldTakeForAFilesSuffix) {
-	EXPECT_EQ(blockLabel(Operation::Union, "a.ply", "b.3ds"), "a union b");
-	EXPECT_EQ(blockLabel(Operation::Union, "scan.v2.stl", ".hidden"), "scan_v2 union _hidden");
-	EXPECT_EQ(blockLabel(Operation::Union, "cube 1.25", "2.5 cubes"), "cube 1_25 union 2_5 cubes");
-	EXPECT_EQ(blockLabel(Operation::Union, "", "end."), " union end_");
+	EXPECT_EQ(blockLabel(Operation::Union, named("a.ply", "b.3ds")), "a union b");
+	EXPECT_EQ(blockLabel(Operation::Union, named("scan.v2.stl", ".hidden")),
+	          "scan_v2 union _hidden");
+	EXPECT_EQ(blockLabel(Operation::Union, named("cube 1.25", "2.5 cubes")),
+	          "cube 1_25 union 2_5 cubes");
+	EXPECT_EQ(blockLabel(Operation::Union, named("", "end.")), " union end_");
 }
 
 TEST(FilterDefinitions, labelsAreMadeOfBothInputsLabels) {
-	EXPECT_EQ(blockLabel(Operation::Union, "A", "B"), "A union B");
-	EXPECT_EQ(blockLabel(Operation::Intersection, "A", "B"), "A intersection B");
-	EXPECT_EQ(blockLabel(Operation::FirstMinusSecond, "A", "B"), "A minus B");
-	EXPECT_EQ(blockLabel(Operation::SecondMinusFirst, "A", "B"), "B minus A");
-	EXPECT_EQ(blockLabel(Operation::SymmetricDifference, "A", "B"), "A xor B");
+	EXPECT_EQ(blockLabel(Operation::Union, named("A", "B")), "A union B");
+	EXPECT_EQ(blockLabel(Operation::Intersection, named("A", "B")), "A intersection B");
+	EXPECT_EQ(blockLabel(Operation::FirstMinusSecond, named("A", "B")), "A minus B");
+	EXPECT_EQ(blockLabel(Operation::SecondMinusFirst, named("A", "B")), "B minus A");
+	EXPECT_EQ(blockLabel(Operation::SymmetricDifference, named("A", "B")), "A xor B");
 }
 
 }  // namespace

@@ -1,0 +1,18 @@
+// SPDX-FileCopyrightText: 2026 The Index Boolean authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What the operands' layers are called, in sentences and in new layers' labels.
+#pragma once
+
+#include <array>
+#include <string>
+
+namespace index_boolean {
+
+struct LayerName {
+	std::string label;
+	int id;
+};
+using LayerNames = std::array<LayerName, 2>;
+
+}  // namespace index_boolean
