@@ -31,6 +31,16 @@ void addBlock(const Block& block, const BlockMeasure& measure, int layerId, Resu
 	map[name + "_closed"] = measure.closed;
 }
 
+// Those of all meshes.
+template <class Meshes>
+std::size_t zeroAreaFacesRemoved(const Meshes& meshes) {
+	std::size_t count = 0;
+	for (const auto& mesh : meshes) {
+		count += mesh.zeroAreaFacesRemoved;
+	}
+	return count;
+}
+
 // For each element, what `number` gives of it.
 template <class Elements, class Number>
 QVariant listOf(const Elements& elements, Number&& number) {
@@ -112,13 +122,11 @@ void addReport(const RunReport& report, const AdapterSeconds& adapter, ResultMap
 ResultMap resultMap(const BooleanResult& result, const std::vector<int>& layerIds,
                     const AdapterSeconds& seconds) {
 	ResultMap map;
-	std::size_t zeroAreaFaces = 0;
 	for (std::size_t i = 0; i < result.blocks.size(); ++i) {
 		addBlock(result.blocks[i], result.audit.blocks[i], layerIds[i], map);
-		zeroAreaFaces += result.blocks[i].zeroAreaFacesRemoved;
 	}
 	map["volume_law_residual"] = result.audit.volumeLawResidual;
-	map["zero_area_faces_removed"] = toInt(zeroAreaFaces);
+	map["zero_area_faces_removed"] = toInt(zeroAreaFacesRemoved(result.blocks));
 	addReport(result.report, seconds, map);
 	if (layerIds.size() > result.blocks.size()) {
 		addLoops(result.curves, layerIds.back(), map);
@@ -129,15 +137,10 @@ ResultMap resultMap(const BooleanResult& result, const std::vector<int>& layerId
 ResultMap resultMap(const SplitResult& result, const PieceLayers& layerIds,
                     const AdapterSeconds& seconds) {
 	ResultMap map;
-	std::size_t zeroAreaFaces = 0;
 	for (std::size_t operand = 0; operand < 2; ++operand) {
 		addSubSurfaces(result, operand, map);
-		zeroAreaFaces += result.surfaceMeshes[operand].zeroAreaFacesRemoved;
 	}
 	addSubBlocks(result.split.blocks.all, map);
-	for (const SplitMesh& mesh : result.blockMeshes) {
-		zeroAreaFaces += mesh.zeroAreaFacesRemoved;
-	}
 	for (std::size_t kind = 0; kind < layerIds.size(); ++kind) {
 		if (layerIds[kind].empty()) {
 			continue;
@@ -148,7 +151,8 @@ ResultMap resultMap(const SplitResult& result, const PieceLayers& layerIds,
 	}
 	map["sub_blocks_closed"] = result.audit.closed;
 	map["volume_law_residual"] = result.audit.volumeLawResidual;
-	map["zero_area_faces_removed"] = toInt(zeroAreaFaces);
+	map["zero_area_faces_removed"] = toInt(zeroAreaFacesRemoved(result.surfaceMeshes) +
+	                                       zeroAreaFacesRemoved(result.blockMeshes));
 	addReport(result.report, seconds, map);
 	return map;
 }
