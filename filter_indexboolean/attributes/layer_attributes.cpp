@@ -71,13 +71,14 @@ private:
 	const std::vector<const char*>& reserved_;
 };
 
-// \param get get(vertex); put(vertex, value): of MeshLab's vertices
+// \param get get(vertex, matrix of its layer); put(vertex, value): of MeshLab's vertices
 template <class Value, class Get, class Put>
 void ColumnList::addVertices(const char* name, int bit, Value missing, Get get, Put put) {
 	add(vertexColumn<Value>(
 	    access_, name, haveMask(bit), missing,
 	    [&access = access_, get](std::size_t operand, std::size_t v) {
-		    return Value(get(access.mesh(operand).vert[v]));
+		    const CMeshO& mesh = access.mesh(operand);
+		    return Value(get(mesh.vert[v], mesh.Tr));
 	    },
 	    [bit, put](MeshModel& layer, const AttributeSources&) {
 		    layer.updateDataMask(bit);
@@ -91,7 +92,8 @@ void ColumnList::addFaces(const char* name, int bit, Value missing, Get get, Put
 	add(faceColumn<Value>(
 	    access_, name, haveMask(bit), missing,
 	    [&access = access_, get](std::size_t operand, std::size_t f) {
-		    return Value(get(access.mesh(operand).face[f]));
+		    const CMeshO& mesh = access.mesh(operand);
+		    return Value(get(mesh.face[f], mesh.Tr));
 	    },
 	    [bit, put](MeshModel& layer, const AttributeSources&) {
 		    layer.updateDataMask(bit);
@@ -126,52 +128,36 @@ void ColumnList::addVertexComponents() {
 	using Quality = CVertexO::QualityType;
 	addVertices<vcg::Color4b>(
 	    "vertex colours", MeshModel::MM_VERTCOLOR, vcg::Color4b(vcg::Color4b::White),
-	    [](const CVertexO& v) { return v.cC(); },
+	    [](const CVertexO& v, const Matrix44m&) { return v.cC(); },
 	    [](CVertexO& v, const vcg::Color4b& value) { v.C() = value; });
 	addVertices<Quality>(
 	    "vertex qualities", MeshModel::MM_VERTQUALITY, Quality(0),
-	    [](const CVertexO& v) { return v.cQ(); },
+	    [](const CVertexO& v, const Matrix44m&) { return v.cQ(); },
 	    [](CVertexO& v, Quality value) { v.Q() = value; });
 	addVertices<Scalarm>(
 	    "vertex radii", MeshModel::MM_VERTRADIUS, Scalarm(0),
-	    [](const CVertexO& v) { return v.cR(); },
+	    [](const CVertexO& v, const Matrix44m&) { return v.cR(); },
 	    [](CVertexO& v, Scalarm value) { v.R() = value; });
-	add(vertexColumn<CurvatureValue>(
-	    access_, "vertex curvature directions", haveMask(MeshModel::MM_VERTCURVDIR),
-	    CurvatureValue{},
-	    [&access = access_](std::size_t operand, std::size_t v) {
-		    const CMeshO& mesh = access.mesh(operand);
-		    return moved(mesh.Tr, curvatureOf(mesh.vert[v]));
-	    },
-	    [](MeshModel& layer, const AttributeSources&) {
-		    layer.updateDataMask(MeshModel::MM_VERTCURVDIR);
-		    return [&layer](std::size_t v, const CurvatureValue& value) {
-			    setCurvature(layer.cm.vert[v], value);
-		    };
-	    }));
+	addVertices<CurvatureValue>(
+	    "vertex curvature directions", MeshModel::MM_VERTCURVDIR, CurvatureValue{},
+	    [](const CVertexO& v, const Matrix44m& matrix) { return moved(matrix, curvatureOf(v)); },
+	    [](CVertexO& v, const CurvatureValue& value) { setCurvature(v, value); });
 }
 
 void ColumnList::addFaceComponents() {
 	using Quality = CFaceO::QualityType;
 	addFaces<vcg::Color4b>(
 	    "face colours", MeshModel::MM_FACECOLOR, vcg::Color4b(vcg::Color4b::White),
-	    [](const CFaceO& f) { return f.cC(); },
+	    [](const CFaceO& f, const Matrix44m&) { return f.cC(); },
 	    [](CFaceO& f, const vcg::Color4b& value) { f.C() = value; });
 	addFaces<Quality>(
 	    "face qualities", MeshModel::MM_FACEQUALITY, Quality(0),
-	    [](const CFaceO& f) { return f.cQ(); }, [](CFaceO& f, Quality value) { f.Q() = value; });
-	add(faceColumn<CurvatureValue>(
-	    access_, "face curvature directions", haveMask(MeshModel::MM_FACECURVDIR), CurvatureValue{},
-	    [&access = access_](std::size_t operand, std::size_t f) {
-		    const CMeshO& mesh = access.mesh(operand);
-		    return moved(mesh.Tr, curvatureOf(mesh.face[f]));
-	    },
-	    [](MeshModel& layer, const AttributeSources&) {
-		    layer.updateDataMask(MeshModel::MM_FACECURVDIR);
-		    return [&layer](std::size_t f, const CurvatureValue& value) {
-			    setCurvature(layer.cm.face[f], value);
-		    };
-	    }));
+	    [](const CFaceO& f, const Matrix44m&) { return f.cQ(); },
+	    [](CFaceO& f, Quality value) { f.Q() = value; });
+	addFaces<CurvatureValue>(
+	    "face curvature directions", MeshModel::MM_FACECURVDIR, CurvatureValue{},
+	    [](const CFaceO& f, const Matrix44m& matrix) { return moved(matrix, curvatureOf(f)); },
+	    [](CFaceO& f, const CurvatureValue& value) { setCurvature(f, value); });
 }
 
 void ColumnList::addTextureCoordinates() {
@@ -306,28 +292,25 @@ void ColumnList::addFaceAttribute(const std::string& name, Value missing) {
 // An attribute that the operands have under one name with different types is that of the first.
 template <class Value>
 void ColumnList::addUserAttributes(Value missing) {
-	const auto isFree = [this](const std::string& name, const auto& attributes) {
-		const auto taken = std::find(reserved_.begin(), reserved_.end(), name) != reserved_.end();
-		const auto first = std::find_if(attributes.begin(), attributes.end(),
-		                                [&](const auto& a) { return a._name == name; });
-		return !taken &&
-		       (first == attributes.end() || first->_type == std::type_index(typeid(Value)));
+	const auto forEachFree = [this](const auto& first, const auto& second, const auto& add) {
+		std::set<std::string> names = namesOf<Value>(first);
+		names.merge(namesOf<Value>(second));
+		for (const std::string& name : names) {
+			const auto ofFirst = std::find_if(first.begin(), first.end(),
+			                                  [&](const auto& a) { return a._name == name; });
+			const bool isTaken =
+			    std::find(reserved_.begin(), reserved_.end(), name) != reserved_.end();
+			if (!isTaken &&
+			    (ofFirst == first.end() || ofFirst->_type == std::type_index(typeid(Value)))) {
+				add(name);
+			}
+		}
 	};
 	const CMeshO &first = access_.mesh(0), &second = access_.mesh(1);
-	std::set<std::string> names = namesOf<Value>(first.vert_attr);
-	names.merge(namesOf<Value>(second.vert_attr));
-	for (const std::string& name : names) {
-		if (isFree(name, first.vert_attr)) {
-			addVertexAttribute(name, missing);
-		}
-	}
-	names = namesOf<Value>(first.face_attr);
-	names.merge(namesOf<Value>(second.face_attr));
-	for (const std::string& name : names) {
-		if (isFree(name, first.face_attr)) {
-			addFaceAttribute(name, missing);
-		}
-	}
+	forEachFree(first.vert_attr, second.vert_attr,
+	            [&](const std::string& name) { addVertexAttribute(name, missing); });
+	forEachFree(first.face_attr, second.face_attr,
+	            [&](const std::string& name) { addFaceAttribute(name, missing); });
 }
 
 }  // namespace
