@@ -107,6 +107,18 @@ TEST(Messages, whatTheCoreHasChangedIsToldOfEachLayer) {
 	EXPECT_EQ(operandMessages(report, kLayers), expected);
 }
 
+TEST(Messages, namesAreListed) {
+	EXPECT_EQ(
+	    lackingAttributesMessage(kLayers[0], {"radii"}),
+	    "Layer \"bunny.ply\" (id 3) has no radii: what comes of it has MeshLab's default there.");
+	EXPECT_TRUE(contains(lackingAttributesMessage(kLayers[0], {"radii", "colours", "qualities"}),
+	                     "has no radii, colours and qualities: "));
+	EXPECT_EQ(noPiecesRequestedMessage(),
+	          "No piece is asked for. Set at least one of these to true: sub_surfaces_first, "
+	          "sub_surfaces_second, sub_blocks.");
+	EXPECT_TRUE(contains(nothingRequestedMessage(), "true: union, intersection, "));
+}
+
 TEST(Messages, aSelfIntersectionIsSentToTheFullSearchAndToTheHostsOwn) {
 	const std::string message = refusal(StatusCode::SelfIntersecting, 1);
 	EXPECT_TRUE(contains(message, "intersects itself: 12345 faces are concerned")) << message;
