@@ -73,9 +73,9 @@ void colourFaces(SplitLayer& layer) {
 }
 
 // Moves the faces of a layer to layers of their own, one for each id from 0 on.
-class Parting {
+class LayerDivider {
 public:
-	explicit Parting(const SplitLayer& whole)
+	explicit LayerDivider(const SplitLayer& whole)
 	    : whole_(whole), local_(whole.points.size(), kUnused) {}
 
 	// \param faces all those of the id
@@ -132,9 +132,9 @@ void appendParts(const SplitLayer& whole, std::size_t count, std::vector<SplitLa
 	for (std::uint32_t face = 0; face < ids.size(); ++face) {
 		faces[static_cast<std::size_t>(ids[face])].push_back(face);
 	}
-	Parting parting(whole);
+	LayerDivider divider(whole);
 	for (std::size_t id = 0; id < count; ++id) {
-		layers.push_back(parting.part(id, faces[id]));
+		layers.push_back(divider.part(id, faces[id]));
 	}
 }
 
