@@ -23,21 +23,23 @@ namespace index_boolean {
 // was noticed when they were read.
 class OperandElementsAccess {
 public:
-	OperandElementsAccess(const std::array<MeshModel*, 2>& layers, const OperandArrays& read);
+	OperandElementsAccess(const PerOperand<MeshModel*>& layers, const OperandArrays& read);
 
-	const CMeshO& mesh(std::size_t operand) const { return layers_[operand]->cm; }
-	const MeshModel& layer(std::size_t operand) const { return *layers_[operand]; }
-	const OperandElements& elements(std::size_t operand) const { return elements_[operand]; }
+	const CMeshO& mesh(OperandId operand) const { return layers_[operand]->cm; }
+	const MeshModel& layer(OperandId operand) const { return *layers_[operand]; }
+	const OperandElements& elements(OperandId operand) const { return elements_[operand]; }
 
 	struct Spot {
-		std::size_t operand, position;  // in the layer's vector
+		OperandId operand;
+		std::size_t position;  // in the layer's vector
 	};
 	Spot vertex(std::uint32_t given) const {
-		const std::size_t operand = given < secondBegin_ ? 0 : 1;
-		return {operand, elements_[operand].vertices[given - (operand == 0 ? 0 : secondBegin_)]};
+		const OperandId operand = vertices_.operandOf(given);
+		return {operand, elements_[operand].vertices[given - vertices_.begin(operand)]};
 	}
 	Spot face(GivenFace given) const {
-		return {given.operand, elements_[given.operand].faces[given.index]};
+		const OperandId operand{given.operand};
+		return {operand, elements_[operand].faces[given.index]};
 	}
 	// The position of a face's corner among the vertices of its layer.
 	std::size_t cornerVertex(const Spot& face, std::size_t corner) const {
@@ -47,24 +49,27 @@ public:
 	}
 	// See attributes.h of the core.
 	Triangle givenTriangle(GivenFace given) const {
-		const auto& f = mesh(given.operand).face[face(given).position];
-		const VertexNumbering<CMeshO>& numbering = numberings_[given.operand];
+		const Spot spot = face(given);
+		const auto& f = mesh(spot.operand).face[spot.position];
+		const VertexNumbering<CMeshO>& numbering = numberings_[spot.operand];
 		return {numbering.of(f.cV(0)), numbering.of(f.cV(1)), numbering.of(f.cV(2))};
 	}
 
 private:
-	std::array<const MeshModel*, 2> layers_;
-	std::array<OperandElements, 2> elements_;
-	std::uint32_t secondBegin_;
-	std::array<VertexNumbering<CMeshO>, 2> numberings_;
+	VertexNumbering<CMeshO> numberingOf(OperandId operand) const;
+
+	PerOperand<const MeshModel*> layers_;
+	PerOperand<OperandElements> elements_;
+	OperandOffsets vertices_;  // as given
+	PerOperand<VertexNumbering<CMeshO>> numberings_;
 };
 
 enum class ElementKind : std::uint8_t { Vertex, Face, Corner };
 
 struct AttributeColumn {
-	std::string name;         // in sentences: "vertex colours"; empty: nobody misses it
-	std::array<bool, 2> has;  // which operands carry it
-	ElementKind of;           // what has a value each
+	std::string name;      // in sentences: "vertex colours"; empty: nobody misses it
+	PerOperand<bool> has;  // which operands carry it
+	ElementKind of;        // what has a value each
 	// Makes room in a layer that is still empty; what writes the values borrows the sources.
 	std::function<RangeWriter(const AttributeSources&, MeshModel&)> prepare;
 	// Appends the bytes of the value that all of a face has; false if it has not one value.
@@ -108,7 +113,7 @@ bool appendConstant(const std::array<Value, 3>& values, std::string& key) {
 //                put(vertex, value)
 template <class Value, class Get, class Prepare>
 AttributeColumn vertexColumn(const OperandElementsAccess& access, std::string name,
-                             std::array<bool, 2> has, Value missing, Get get, Prepare prepare) {
+                             PerOperand<bool> has, Value missing, Get get, Prepare prepare) {
 	AttributeColumn column{std::move(name), has, ElementKind::Vertex, {}, {}, {}};
 	const auto cornerValues = [&access, get](const OperandElementsAccess::Spot& face) {
 		std::array<Value, 3> values;
@@ -149,7 +154,7 @@ AttributeColumn vertexColumn(const OperandElementsAccess& access, std::string na
 // As vertexColumn, for faces.
 template <class Value, class Get, class Prepare>
 AttributeColumn faceColumn(const OperandElementsAccess& access, std::string name,
-                           std::array<bool, 2> has, Value missing, Get get, Prepare prepare) {
+                           PerOperand<bool> has, Value missing, Get get, Prepare prepare) {
 	AttributeColumn column{std::move(name), has, ElementKind::Face, {}, {}, {}};
 	const auto valueOf = [=](const OperandElementsAccess::Spot& face) {
 		return has[face.operand] ? get(face.operand, face.position) : missing;
@@ -173,7 +178,7 @@ AttributeColumn faceColumn(const OperandElementsAccess& access, std::string name
 // As vertexColumn, for corners: get(operand, face, corner), put(face, corner, value).
 template <class Value, class Get, class Prepare>
 AttributeColumn cornerColumn(const OperandElementsAccess& access, std::string name,
-                             std::array<bool, 2> has, Value missing, Get get, Prepare prepare) {
+                             PerOperand<bool> has, Value missing, Get get, Prepare prepare) {
 	AttributeColumn column{std::move(name), has, ElementKind::Corner, {}, {}, {}};
 	const auto cornerValues = [get](const OperandElementsAccess::Spot& face) {
 		return std::array<Value, 3>{get(face.operand, face.position, std::size_t{0}),

@@ -21,7 +21,7 @@ std::vector<const char*> withProvenance(std::vector<const char*> names) {
 
 }  // namespace
 
-AttributeTransfer::AttributeTransfer(const std::array<MeshModel*, 2>& layers,
+AttributeTransfer::AttributeTransfer(const PerOperand<MeshModel*>& layers,
                                      const OperandArrays& read, const AttributeOptions& options)
     : options_(options), access_(layers, read), textures_(layers),
       columns_(attributeColumns(access_, textures_, withProvenance(options.reserved))) {}
@@ -57,17 +57,17 @@ std::array<std::vector<std::uint32_t>, 2> AttributeTransfer::faceClasses() const
 	}
 	std::unordered_map<std::string, std::uint32_t> numbers;
 	std::uint32_t next = 0;
-	for (std::uint32_t operand = 0; operand < 2; ++operand) {
+	for (const OperandId operand : Operands(classes.size())) {
 		const std::size_t count = access_.elements(operand).faces.count;
 		for (std::uint32_t f = 0; f < count; ++f) {
-			const auto spot = access_.face({operand & 1U, f & 0x7fffffffU});
+			const auto spot = access_.face({operand.value & 1U, f & 0x7fffffffU});
 			std::string key;
 			const bool hasOneValue =
 			    std::all_of(columns_.begin(), columns_.end(),
 			                [&](const AttributeColumn& c) { return c.appendKey(spot, key); });
 			const auto [known, isNew] =
 			    hasOneValue ? numbers.emplace(key, next) : std::pair(numbers.end(), true);
-			classes[operand].push_back(isNew ? next++ : known->second);
+			classes[operand.value].push_back(isNew ? next++ : known->second);
 		}
 	}
 	return classes;
@@ -81,7 +81,7 @@ void AttributeTransfer::prepareFaceProvenance(const AttributeSources& sources, M
 	writers.faces.push_back([=, &sources](std::size_t begin, std::size_t end) mutable {
 		for (std::size_t f = begin; f < end; ++f) {
 			const auto spot = access_.face(sources.face[f]);
-			mesh[f] = static_cast<Scalarm>(spot.operand);
+			mesh[f] = static_cast<Scalarm>(spot.operand.value);
 			face[f] = static_cast<Scalarm>(spot.position);
 		}
 	});
@@ -99,14 +99,14 @@ void AttributeTransfer::prepareVertexProvenance(const SourcedMesh& mesh,
 			    sources.isMix(v) ? mesh.vertexSource[v].value : sources.vertex[v];
 			const bool isNew = given >= sources.vertexCount;
 			const auto spot = isNew ? OperandElementsAccess::Spot{} : access_.vertex(given);
-			vertexMesh[v] = isNew ? Scalarm(-1) : static_cast<Scalarm>(spot.operand);
+			vertexMesh[v] = isNew ? Scalarm(-1) : static_cast<Scalarm>(spot.operand.value);
 			vertex[v] = isNew ? Scalarm(-1) : static_cast<Scalarm>(spot.position);
 		}
 	});
 }
 
 void AttributeTransfer::prepare(const SourcedMesh& mesh, const AttributeSources& sources,
-                                const std::array<bool, 2>& turned, MeshModel& layer,
+                                const PerOperand<bool>& turned, MeshModel& layer,
                                 ElementWriters& writers) const {
 	writers.vertices.push_back(normalColumn(access_, turned).prepare(sources, layer));
 	for (const AttributeColumn& column : columns_) {
@@ -131,7 +131,7 @@ void AttributeTransfer::prepare(const SourcedMesh& mesh, const AttributeSources&
 
 void AttributeTransfer::addMessages(const LayerNames& names,
                                     std::vector<std::string>& messages) const {
-	for (std::size_t operand = 0; operand < 2; ++operand) {
+	for (const OperandId operand : names.operands()) {
 		std::vector<std::string> lacking;
 		for (const AttributeColumn& column : columns_) {
 			if (!column.has[operand] && !column.name.empty()) {

@@ -21,7 +21,7 @@ struct AttributeOptions {
 class AttributeTransfer {
 public:
 	// Borrows the layers.
-	AttributeTransfer(const std::array<MeshModel*, 2>& layers, const OperandArrays& read,
+	AttributeTransfer(const PerOperand<MeshModel*>& layers, const OperandArrays& read,
 	                  const AttributeOptions& options);
 	AttributeTransfer(const AttributeTransfer&) = delete;
 	AttributeTransfer& operator=(const AttributeTransfer&) = delete;
@@ -38,8 +38,7 @@ public:
 	// \param mesh    what the layer will hold, with its sources; both borrowed
 	// \param turned  which operands' faces the core has turned
 	void prepare(const SourcedMesh& mesh, const AttributeSources& sources,
-	             const std::array<bool, 2>& turned, MeshModel& layer,
-	             ElementWriters& writers) const;
+	             const PerOperand<bool>& turned, MeshModel& layer, ElementWriters& writers) const;
 
 	// Adds a sentence for each operand that lacks what the other carries.
 	void addMessages(const LayerNames& names, std::vector<std::string>& messages) const;

@@ -49,11 +49,11 @@ public:
 	std::vector<AttributeColumn> columns;
 
 private:
-	std::array<bool, 2> haveMask(int bit) const {
-		return {access_.layer(0).hasDataMask(bit), access_.layer(1).hasDataMask(bit)};
+	PerOperand<bool> haveMask(int bit) const {
+		return {access_.layer(kFirst).hasDataMask(bit), access_.layer(kSecond).hasDataMask(bit)};
 	}
 	void add(AttributeColumn column) {
-		if (column.has[0] || column.has[1]) {
+		if (column.has[kFirst] || column.has[kSecond]) {
 			columns.push_back(std::move(column));
 		}
 	}
@@ -76,7 +76,7 @@ template <class Value, class Get, class Put>
 void ColumnList::addVertices(const char* name, int bit, Value missing, Get get, Put put) {
 	add(vertexColumn<Value>(
 	    access_, name, haveMask(bit), missing,
-	    [&access = access_, get](std::size_t operand, std::size_t v) {
+	    [&access = access_, get](OperandId operand, std::size_t v) {
 		    const CMeshO& mesh = access.mesh(operand);
 		    return Value(get(mesh.vert[v], mesh.Tr));
 	    },
@@ -91,7 +91,7 @@ template <class Value, class Get, class Put>
 void ColumnList::addFaces(const char* name, int bit, Value missing, Get get, Put put) {
 	add(faceColumn<Value>(
 	    access_, name, haveMask(bit), missing,
-	    [&access = access_, get](std::size_t operand, std::size_t f) {
+	    [&access = access_, get](OperandId operand, std::size_t f) {
 		    const CMeshO& mesh = access.mesh(operand);
 		    return Value(get(mesh.face[f], mesh.Tr));
 	    },
@@ -165,7 +165,7 @@ void ColumnList::addTextureCoordinates() {
 	missing.N() = 0;
 	add(vertexColumn<TexCoord>(
 	    access_, "vertex texture coordinates", haveMask(MeshModel::MM_VERTTEXCOORD), missing,
-	    [&access = access_, &textures = textures_](std::size_t operand, std::size_t v) {
+	    [&access = access_, &textures = textures_](OperandId operand, std::size_t v) {
 		    TexCoord coordinate = access.mesh(operand).vert[v].cT();
 		    coordinate.N() = std::max(textures.number(operand, coordinate.N()), short{0});
 		    return coordinate;
@@ -178,7 +178,7 @@ void ColumnList::addTextureCoordinates() {
 	none.N() = -1;
 	add(cornerColumn<Wedge>(
 	    access_, "wedge texture coordinates", haveMask(MeshModel::MM_WEDGTEXCOORD), none,
-	    [&access = access_, &textures = textures_](std::size_t operand, std::size_t f,
+	    [&access = access_, &textures = textures_](OperandId operand, std::size_t f,
 	                                               std::size_t corner) {
 		    Wedge coordinate = access.mesh(operand).face[f].cWT(static_cast<int>(corner));
 		    coordinate.N() = textures.number(operand, coordinate.N());
@@ -194,9 +194,10 @@ void ColumnList::addTextureCoordinates() {
 
 void ColumnList::addSelection() {
 	add(vertexColumn<bool>(
-	    access_, "", {access_.elements(0).anyVertexSelected, access_.elements(1).anyVertexSelected},
+	    access_, "",
+	    {access_.elements(kFirst).anyVertexSelected, access_.elements(kSecond).anyVertexSelected},
 	    false,
-	    [&access = access_](std::size_t operand, std::size_t v) {
+	    [&access = access_](OperandId operand, std::size_t v) {
 		    return access.mesh(operand).vert[v].IsS();
 	    },
 	    [](MeshModel& layer, const AttributeSources&) {
@@ -207,9 +208,10 @@ void ColumnList::addSelection() {
 		    };
 	    }));
 	add(faceColumn<bool>(
-	    access_, "", {access_.elements(0).anyFaceSelected, access_.elements(1).anyFaceSelected},
+	    access_, "",
+	    {access_.elements(kFirst).anyFaceSelected, access_.elements(kSecond).anyFaceSelected},
 	    false,
-	    [&access = access_](std::size_t operand, std::size_t f) {
+	    [&access = access_](OperandId operand, std::size_t f) {
 		    return access.mesh(operand).face[f].IsS();
 	    },
 	    [](MeshModel& layer, const AttributeSources&) {
@@ -219,6 +221,15 @@ void ColumnList::addSelection() {
 			    }
 		    };
 	    }));
+}
+
+// Where each operand's vertices are among those as given.
+OperandOffsets verticesOf(const PerOperand<OperandElements>& elements) {
+	OperandOffsets offsets(elements.size());
+	for (const OperandId operand : elements.operands()) {
+		offsets.setEnd(operand, offsets.begin(operand) + elements[operand].vertices.count);
+	}
+	return offsets;
 }
 
 template <class Value>
@@ -240,14 +251,14 @@ std::set<std::string> namesOf(const Attributes& attributes) {
 
 // A user's attribute of that name and type as each operand has it, or nullptr.
 struct AttributeArrays {
-	std::array<const vcg::SimpleTempDataBase*, 2> of{};
+	PerOperand<const vcg::SimpleTempDataBase*> of;
 
 	template <class Value, class Attributes>
 	static AttributeArrays find(const std::string& name, const Attributes& first,
 	                            const Attributes& second) {
 		AttributeArrays found;
-		for (std::size_t operand = 0; operand < 2; ++operand) {
-			for (const vcg::PointerToAttribute& a : operand == 0 ? first : second) {
+		for (const OperandId operand : found.of.operands()) {
+			for (const vcg::PointerToAttribute& a : operand == kFirst ? first : second) {
 				if (isOf<Value>(a) && a._name == name) {
 					found.of[operand] = a._handle;
 				}
@@ -255,20 +266,20 @@ struct AttributeArrays {
 		}
 		return found;
 	}
-	std::array<bool, 2> has() const { return {of[0] != nullptr, of[1] != nullptr}; }
+	PerOperand<bool> has() const { return {of[kFirst] != nullptr, of[kSecond] != nullptr}; }
 	template <class Value>
-	Value at(std::size_t operand, std::size_t position) const {
+	Value at(OperandId operand, std::size_t position) const {
 		return *static_cast<const Value*>(of[operand]->At(position));
 	}
 };
 
 template <class Value>
 void ColumnList::addVertexAttribute(const std::string& name, Value missing) {
-	const AttributeArrays arrays =
-	    AttributeArrays::find<Value>(name, access_.mesh(0).vert_attr, access_.mesh(1).vert_attr);
+	const AttributeArrays arrays = AttributeArrays::find<Value>(
+	    name, access_.mesh(kFirst).vert_attr, access_.mesh(kSecond).vert_attr);
 	add(vertexColumn<Value>(
 	    access_, "vertex attribute \"" + name + "\"", arrays.has(), missing,
-	    [arrays](std::size_t operand, std::size_t v) { return arrays.at<Value>(operand, v); },
+	    [arrays](OperandId operand, std::size_t v) { return arrays.at<Value>(operand, v); },
 	    [name](MeshModel& layer, const AttributeSources& sources) {
 		    auto out =
 		        index_boolean::addVertexAttribute<Value>(name, sources.vertex.size(), layer.cm);
@@ -278,11 +289,11 @@ void ColumnList::addVertexAttribute(const std::string& name, Value missing) {
 
 template <class Value>
 void ColumnList::addFaceAttribute(const std::string& name, Value missing) {
-	const AttributeArrays arrays =
-	    AttributeArrays::find<Value>(name, access_.mesh(0).face_attr, access_.mesh(1).face_attr);
+	const AttributeArrays arrays = AttributeArrays::find<Value>(
+	    name, access_.mesh(kFirst).face_attr, access_.mesh(kSecond).face_attr);
 	add(faceColumn<Value>(
 	    access_, "face attribute \"" + name + "\"", arrays.has(), missing,
-	    [arrays](std::size_t operand, std::size_t f) { return arrays.at<Value>(operand, f); },
+	    [arrays](OperandId operand, std::size_t f) { return arrays.at<Value>(operand, f); },
 	    [name](MeshModel& layer, const AttributeSources& sources) {
 		    auto out = index_boolean::addFaceAttribute<Value>(name, sources.face.size(), layer.cm);
 		    return [out](std::size_t f, const Value& value) mutable { out[f] = value; };
@@ -306,7 +317,7 @@ void ColumnList::addUserAttributes(Value missing) {
 			}
 		}
 	};
-	const CMeshO &first = access_.mesh(0), &second = access_.mesh(1);
+	const CMeshO &first = access_.mesh(kFirst), &second = access_.mesh(kSecond);
 	forEachFree(first.vert_attr, second.vert_attr,
 	            [&](const std::string& name) { addVertexAttribute(name, missing); });
 	forEachFree(first.face_attr, second.face_attr,
@@ -315,12 +326,14 @@ void ColumnList::addUserAttributes(Value missing) {
 
 }  // namespace
 
-OperandElementsAccess::OperandElementsAccess(const std::array<MeshModel*, 2>& layers,
+OperandElementsAccess::OperandElementsAccess(const PerOperand<MeshModel*>& layers,
                                              const OperandArrays& read)
-    : layers_{layers[0], layers[1]}, elements_(read.elements),
-      secondBegin_(static_cast<std::uint32_t>(read.elements[0].vertices.count)),
-      numberings_{VertexNumbering<CMeshO>(layers[0]->cm, elements_[0].vertices, 0),
-                  VertexNumbering<CMeshO>(layers[1]->cm, elements_[1].vertices, secondBegin_)} {}
+    : layers_{layers[kFirst], layers[kSecond]}, elements_(read.elements),
+      vertices_(verticesOf(elements_)), numberings_{numberingOf(kFirst), numberingOf(kSecond)} {}
+
+VertexNumbering<CMeshO> OperandElementsAccess::numberingOf(OperandId operand) const {
+	return {mesh(operand), elements_[operand].vertices, vertices_.begin(operand)};
+}
 
 std::vector<AttributeColumn> attributeColumns(const OperandElementsAccess& access,
                                               const TextureList& textures,
@@ -335,26 +348,26 @@ std::vector<AttributeColumn> attributeColumns(const OperandElementsAccess& acces
 	return std::move(list.columns);
 }
 
-AttributeColumn normalColumn(const OperandElementsAccess& access, std::array<bool, 2> opposed) {
+AttributeColumn normalColumn(const OperandElementsAccess& access, PerOperand<bool> opposed) {
 	// A normal is turned by the cofactors: so it stays normal under any matrix, and on the side of
 	// its faces' fronts under one that mirrors.
-	std::array<std::array<Point3m, 3>, 2> cofactors;
-	std::array<bool, 2> isMoved{};
-	for (std::size_t operand = 0; operand < 2; ++operand) {
+	PerOperand<std::array<Point3m, 3>> cofactors;
+	PerOperand<bool> isMoved;
+	for (const OperandId operand : cofactors.operands()) {
 		const Matrix44m& matrix = access.mesh(operand).Tr;
 		const std::array<Point3m, 3> rows = rowsOf(matrix);
 		cofactors[operand] = {rows[1] ^ rows[2], rows[2] ^ rows[0], rows[0] ^ rows[1]};
 		isMoved[operand] = matrix != Matrix44m::Identity();
 	}
-	const auto get = [&access, cofactors, isMoved](std::size_t operand, std::size_t v) {
+	const auto get = [&access, cofactors, isMoved](OperandId operand, std::size_t v) {
 		const Point3m& normal = access.mesh(operand).vert[v].cN();
 		return isMoved[operand] ? turnedDirection(cofactors[operand], normal) : normal;
 	};
 	const auto prepare = [&access, opposed](MeshModel& layer, const AttributeSources& sources) {
 		return [&access, &layer, &sources, opposed](std::size_t v, Point3m normal) {
 			const bool isMix = sources.isMix(v);
-			const std::size_t operand = isMix ? sources.mixOfVertex(v).face.operand
-			                                  : access.vertex(sources.vertex[v]).operand;
+			const OperandId operand = isMix ? OperandId{sources.mixOfVertex(v).face.operand}
+			                                : access.vertex(sources.vertex[v]).operand;
 			if (isMix) {
 				normal.Normalize();
 			}

@@ -21,6 +21,6 @@ std::vector<AttributeColumn> attributeColumns(const OperandElementsAccess& acces
 // The vertices' normals, with the layers' matrices applied; turned with the faces that a vertex
 // stands for.
 // \param opposed per operand: the core has turned its faces
-AttributeColumn normalColumn(const OperandElementsAccess& access, std::array<bool, 2> opposed);
+AttributeColumn normalColumn(const OperandElementsAccess& access, PerOperand<bool> opposed);
 
 }  // namespace index_boolean

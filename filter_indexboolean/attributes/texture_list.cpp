@@ -37,8 +37,8 @@ bool namesTextures(const MeshModel& layer) {
 
 }  // namespace
 
-TextureList::TextureList(const std::array<MeshModel*, 2>& layers) {
-	for (std::size_t operand = 0; operand < layers.size(); ++operand) {
+TextureList::TextureList(const PerOperand<MeshModel*>& layers) {
+	for (const OperandId operand : layers.operands()) {
 		for (LayerTexture& texture : texturesOf(*layers[operand])) {
 			const auto same = std::find(all_.begin(), all_.end(), texture);
 			numbers_[operand].push_back(static_cast<short>(same - all_.begin()));
@@ -58,7 +58,7 @@ TextureList::TextureList(const std::array<MeshModel*, 2>& layers) {
 	}
 }
 
-short TextureList::number(std::size_t operand, short texture) const {
+short TextureList::number(OperandId operand, short texture) const {
 	const std::vector<short>& numbers = numbers_[operand];
 	const bool isOne = texture >= 0 && static_cast<std::size_t>(texture) < numbers.size();
 	return isOne ? numbers[static_cast<std::size_t>(texture)] : unnamed_[operand];

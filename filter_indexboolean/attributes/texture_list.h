@@ -5,9 +5,10 @@
 // texture is in it.
 #pragma once
 
+#include <vcg_ext/index_boolean.h>
+
 #include <host_document.h>
 
-#include <array>
 #include <vector>
 
 namespace index_boolean {
@@ -15,19 +16,19 @@ namespace index_boolean {
 class TextureList {
 public:
 	// Textures of one name but with other pictures get another name.
-	explicit TextureList(const std::array<MeshModel*, 2>& layers);
+	explicit TextureList(const PerOperand<MeshModel*>& layers);
 
 	// The number in this list of an operand's texture; -1, none, for what is none of its textures.
 	// Where a layer with one texture names none anywhere, that one is meant: as MeshLab draws and
 	// saves it.
-	short number(std::size_t operand, short texture) const;
+	short number(OperandId operand, short texture) const;
 
 	void addTo(MeshModel& layer) const;
 
 private:
 	std::vector<LayerTexture> all_;
-	std::array<std::vector<short>, 2> numbers_;  // per operand and texture of its layer
-	std::array<short, 2> unnamed_{{-1, -1}};     // per operand: what -1 means
+	PerOperand<std::vector<short>> numbers_;  // per texture of the operand's layer
+	PerOperand<short> unnamed_{-1, -1};       // what -1 means
 };
 
 }  // namespace index_boolean

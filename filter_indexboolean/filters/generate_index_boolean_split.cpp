@@ -29,7 +29,7 @@ SplitRequest readRequest(const ParameterValues& values) {
 	request.subBlocks = values.getBool("sub_blocks");
 	request.separateLayers = values.getBool("separate_layers");
 	request.maxLayers = static_cast<std::size_t>(numberInRange(kFilter, "max_layers", values));
-	if (!request.subSurfaces[0] && !request.subSurfaces[1] && !request.subBlocks) {
+	if (!request.subSurfaces[kFirst] && !request.subSurfaces[kSecond] && !request.subBlocks) {
 		throw Refusal(noPiecesRequestedMessage());
 	}
 	return request;
@@ -95,7 +95,7 @@ std::vector<std::string> findings(const SplitResult& result, const SplitRequest&
                                   const LayerNames& names) {
 	std::vector<std::string> messages = operandMessages(result.report, names);
 	transfer.addMessages(names, messages);
-	for (std::size_t operand = 0; operand < 2; ++operand) {
+	for (const OperandId operand : request.subSurfaces.operands()) {
 		if (request.subSurfaces[operand]) {
 			messages.push_back(subSurfacesMessage(result, operand, names));
 		}

@@ -57,9 +57,9 @@ void addLoops(const CurveLines& curves, int layerId, ResultMap& map) {
 	map["loop_kinds"] = listOf(curves.lines, [](const CurveLine& line) { return line.kind; });
 }
 
-void addSubSurfaces(const SplitResult& result, std::size_t operand, ResultMap& map) {
-	const std::vector<SubSurfaceId>& ids = result.split.surfaces.ofOperand[operand];
-	const std::string name = kPieceNames[operand];
+void addSubSurfaces(const SplitResult& result, OperandId operand, ResultMap& map) {
+	const std::vector<SubSurfaceId>& ids = result.split.surfaces.ofOperand[operand.value];
+	const std::string name = kPieceNames[static_cast<std::size_t>(subSurfacesOf(operand))];
 	const auto listOfSurfaces = [&](auto&& number) {
 		return listOf(ids,
 		              [&](SubSurfaceId id) { return number(at(result.split.surfaces.all, id)); });
@@ -84,12 +84,12 @@ void addSubBlocks(const std::vector<SubBlock>& blocks, ResultMap& map) {
 
 // Pairs of a loop and a sub-surface of an operand that it bounds, as two lists.
 void addIncidence(const CurveLines& curves, const SubSurfaces& surfaces, ResultMap& map) {
-	constexpr std::array<const char*, 2> kOperands{{"first", "second"}};
-	for (std::size_t operand = 0; operand < kOperands.size(); ++operand) {
+	const PerOperand<const char*> operandNames{"first", "second"};
+	for (const OperandId operand : operandNames.operands()) {
 		std::vector<double> loops, pieces;
 		for (std::size_t line = 0; line < curves.lines.size(); ++line) {
 			for (const SubSurfaceId id : surfaces.atLoop[line]) {
-				const std::int32_t number = at(surfaces.all, id).number[operand];
+				const std::int32_t number = at(surfaces.all, id).number[operand.value];
 				if (number < 0) {
 					continue;
 				}
@@ -97,7 +97,7 @@ void addIncidence(const CurveLines& curves, const SubSurfaces& surfaces, ResultM
 				pieces.push_back(number);
 			}
 		}
-		const std::string name = std::string("loops_at_sub_surfaces_") + kOperands[operand];
+		const std::string name = std::string("loops_at_sub_surfaces_") + operandNames[operand];
 		map[name + "_loop"] = listValue(loops);
 		map[name + "_sub_surface"] = listValue(pieces);
 	}
@@ -137,7 +137,7 @@ ResultMap resultMap(const BooleanResult& result, const std::vector<int>& layerId
 ResultMap resultMap(const SplitResult& result, const PieceLayers& layerIds,
                     const AdapterSeconds& seconds) {
 	ResultMap map;
-	for (std::size_t operand = 0; operand < 2; ++operand) {
+	for (const OperandId operand : result.surfaceMeshes.operands()) {
 		addSubSurfaces(result, operand, map);
 	}
 	addSubBlocks(result.split.blocks.all, map);

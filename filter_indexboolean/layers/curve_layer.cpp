@@ -24,9 +24,9 @@ ScalarAttribute perVertex(const char* name, const CurveLines& curves, Number&& n
 
 LayerContent curveContent(const CurveLines& curves, const OperandArrays& read,
                           const LayerNames& names) {
-	const auto source = [&](const char* name, std::size_t operand) {
+	const auto source = [&](const char* name, OperandId operand) {
 		return perVertex(name, curves, [&, operand](std::size_t vertex) {
-			return read.elements[operand].faces[curves.sources[vertex][operand]];
+			return read.elements[operand].faces[curves.sources[vertex][operand.value]];
 		});
 	};
 	LayerContent content;
@@ -36,8 +36,8 @@ LayerContent curveContent(const CurveLines& curves, const OperandArrays& read,
 	    perVertex("loop", curves, [&](std::size_t vertex) { return curves.line[vertex]; }),
 	    perVertex("loop_kind", curves,
 	              [&](std::size_t vertex) { return curves.lines[curves.line[vertex]].kind; }),
-	    source("source_face_first", 0),
-	    source("source_face_second", 1),
+	    source("source_face_first", kFirst),
+	    source("source_face_second", kSecond),
 	};
 	return content;
 }

@@ -90,21 +90,24 @@ Status fillLayers(const std::vector<LayerContent>& contents, Monitor& monitor,
 
 }  // namespace
 
-Status readLayers(const std::array<MeshModel*, 2>& layers, Progress& progress, OperandArrays& out) {
+Status readLayers(const PerOperand<MeshModel*>& layers, Progress& progress, OperandArrays& out) {
 	try {
 		Status status;
 		Monitor monitor = progress.nextPhase(kReadShare);
 		monitor.beginStage("reading layers", 0, 1);
-		const auto both = [&layers](int CMeshO::*count) {
-			return static_cast<std::size_t>(layers[0]->cm.*count) +
-			       static_cast<std::size_t>(layers[1]->cm.*count);
-		};
-		out.arrays.points.reserve(both(&CMeshO::vn));
-		out.arrays.triangles.reserve(both(&CMeshO::fn));
-		for (std::size_t k = 0; k < layers.size() && status.ok(); ++k) {
-			const CMeshO& mesh = layers[k]->cm;
-			status = appendOperand(mesh, mesh.Tr, static_cast<int>(k), monitor, out.arrays,
-			                       out.elements[k]);
+		std::size_t vertices = 0, faces = 0;
+		for (const MeshModel* layer : layers) {
+			vertices += static_cast<std::size_t>(layer->cm.vn);
+			faces += static_cast<std::size_t>(layer->cm.fn);
+		}
+		out.arrays.points.reserve(vertices);
+		out.arrays.triangles.reserve(faces);
+		for (const OperandId operand : layers.operands()) {
+			const CMeshO& mesh = layers[operand]->cm;
+			if (status.ok()) {
+				status = appendOperand(mesh, mesh.Tr, static_cast<int>(operand.value), monitor,
+				                       out.arrays, out.elements[operand]);
+			}
 		}
 		return status;
 	} catch (const std::bad_alloc&) {

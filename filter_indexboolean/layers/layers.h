@@ -12,7 +12,6 @@
 
 #include <host_document.h>
 
-#include <array>
 #include <vector>
 
 namespace index_boolean {
@@ -20,12 +19,12 @@ namespace index_boolean {
 // Both operands as the core reads them, and which elements of the layers theirs are.
 struct OperandArrays {
 	MeshArrays arrays;
-	std::array<OperandElements, 2> elements;
+	PerOperand<OperandElements> elements;
 };
 
 // Reads both layers with their matrices applied. The layers are not changed.
 // \return Ok, Cancelled, OutOfMemory
-Status readLayers(const std::array<MeshModel*, 2>& layers, Progress& progress, OperandArrays& out);
+Status readLayers(const PerOperand<MeshModel*>& layers, Progress& progress, OperandArrays& out);
 
 // Replaces the layer's selection by faces of the operand that was read from it.
 void selectFaces(const std::vector<std::uint32_t>& faces, const LiveElements& live,

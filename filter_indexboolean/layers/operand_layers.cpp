@@ -30,9 +30,9 @@ OperandLayers findOperandLayers(FilterId filter, const ParameterValues& values,
 	OperandLayers operands;
 	operands.layers = {findOperand(filter, "first_mesh", values, document),
 	                   findOperand(filter, "second_mesh", values, document)};
-	operands.names = {nameOf(*operands.layers[0]), nameOf(*operands.layers[1])};
-	if (operands.layers[0] == operands.layers[1]) {
-		throw Refusal(sameLayerMessage(operands.names[0]));
+	operands.names = {nameOf(*operands.layers[kFirst]), nameOf(*operands.layers[kSecond])};
+	if (operands.layers[kFirst] == operands.layers[kSecond]) {
+		throw Refusal(sameLayerMessage(operands.names[kFirst]));
 	}
 	return operands;
 }
@@ -63,7 +63,7 @@ void refuseUnlessOk(const Status& status, const LayerNames& names) {
 }
 
 void refuseDefect(const Status& status, const OperandArrays& read, const OperandLayers& operands) {
-	const std::size_t operand = operandOf(status);
+	const OperandId operand = operandOf(status);
 	if (!status.faces.empty()) {
 		selectFaces(status.faces, read.elements[operand].faces, *operands.layers[operand]);
 	}

@@ -15,7 +15,7 @@
 namespace index_boolean {
 
 struct OperandLayers {
-	std::array<MeshModel*, 2> layers;
+	PerOperand<MeshModel*> layers;
 	LayerNames names;
 };
 

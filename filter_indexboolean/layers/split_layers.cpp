@@ -138,7 +138,7 @@ void appendParts(const SplitLayer& whole, std::size_t count, std::vector<SplitLa
 	}
 }
 
-void appendSurfaceLayers(const SplitResult& result, std::size_t operand, bool separate,
+void appendSurfaceLayers(const SplitResult& result, OperandId operand, bool separate,
                          const LayerNames& names, std::vector<SplitLayer>& layers) {
 	SplitLayer whole = emptyLayer(subSurfacesOf(operand), names);
 	appendMesh(result.surfaceMeshes[operand], kNoNumber, result, whole);
@@ -170,7 +170,7 @@ void appendBlockLayers(const SplitResult& result, bool separate, const LayerName
 
 std::size_t pieceCount(const SplitResult& result, const SplitRequest& request) {
 	std::size_t count = request.subBlocks ? result.split.blocks.all.size() : 0;
-	for (std::size_t operand = 0; operand < 2; ++operand) {
+	for (const OperandId operand : request.subSurfaces.operands()) {
 		count += request.subSurfaces[operand] ? result.surfaceCount(operand) : 0;
 	}
 	return count;
@@ -184,7 +184,7 @@ std::vector<SplitLayer> splitLayers(const SplitResult& result, const SplitReques
                                     const LayerNames& names) {
 	const bool separate = hasLayerForEachPiece(result, request);
 	std::vector<SplitLayer> layers;
-	for (std::size_t operand = 0; operand < 2; ++operand) {
+	for (const OperandId operand : request.subSurfaces.operands()) {
 		if (request.subSurfaces[operand]) {
 			appendSurfaceLayers(result, operand, separate, names, layers);
 		}

@@ -14,11 +14,13 @@ constexpr double kArrangingShare = 0.4, kFindingShare = 0.2, kMeshesShare = 0.1,
 
 Status collectSurfaceMeshes(const SplitRequest& request, Progress& progress, SplitResult& result) {
 	Status status;
-	for (std::size_t operand = 0; operand < 2 && status.ok(); ++operand) {
+	const double share = kMeshesShare / static_cast<double>(request.subSurfaces.size());
+	for (const OperandId operand : request.subSurfaces.operands()) {
 		SplitMesh& mesh = result.surfaceMeshes[operand];
-		Monitor monitor = progress.nextPhase(kMeshesShare / 2);
-		if (request.subSurfaces[operand]) {
-			status = extractSubSurfaces(result.arrangement, result.split, operand, monitor, mesh);
+		Monitor monitor = progress.nextPhase(share);
+		if (request.subSurfaces[operand] && status.ok()) {
+			status =
+			    extractSubSurfaces(result.arrangement, result.split, operand.value, monitor, mesh);
 		}
 	}
 	return status;

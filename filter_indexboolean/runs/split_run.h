@@ -16,7 +16,7 @@ namespace index_boolean {
 
 struct SplitRequest {
 	Options options;
-	std::array<bool, 2> subSurfaces{true, true};  // of each operand
+	PerOperand<bool> subSurfaces{true, true};  // of each operand
 	bool subBlocks = true;
 	bool separateLayers = false;  // a layer for each piece
 	std::size_t maxLayers = 64;   // above which separateLayers is not followed
@@ -27,13 +27,13 @@ struct SplitResult {
 	RunReport report;
 	Arrangement arrangement;
 	Split split;
-	std::array<SplitMesh, 2> surfaceMeshes;  // of each operand; empty unless asked for
-	std::vector<SplitMesh> blockMeshes;      // of each block; none unless asked for
+	PerOperand<SplitMesh> surfaceMeshes;  // of each operand; empty unless asked for
+	std::vector<SplitMesh> blockMeshes;   // of each block; none unless asked for
 	SplitAudit audit;
 
 	// How many sub-surfaces an operand has.
-	std::size_t surfaceCount(std::size_t operand) const {
-		return split.surfaces.ofOperand[operand].size();
+	std::size_t surfaceCount(OperandId operand) const {
+		return split.surfaces.ofOperand[operand.value].size();
 	}
 };
 

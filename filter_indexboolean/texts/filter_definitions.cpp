@@ -253,25 +253,24 @@ const ParameterDefinition& parameterDefinition(FilterId id, const std::string& n
 
 std::string blockLabel(Operation operation, const LayerNames& layers) {
 	const BlockDefinition& block = kBlockDefinitions[static_cast<std::size_t>(operation)];
-	const LayerName& left = layers[block.swapped ? 1 : 0];
-	const LayerName& right = layers[block.swapped ? 0 : 1];
-	return joinedLabel(left, block.infix, right);
+	const OperandId left = block.swapped ? kSecond : kFirst;
+	return joinedLabel(layers[left], block.infix, layers[otherOf(left)]);
 }
 
 std::string splitLabel(PieceKind kind, const LayerNames& layers) {
 	switch (kind) {
 	case PieceKind::SubSurfacesOfFirst:
-		return joinedLabel(layers[0], "cut by", layers[1]);
+		return joinedLabel(layers[kFirst], "cut by", layers[kSecond]);
 	case PieceKind::SubSurfacesOfSecond:
-		return joinedLabel(layers[1], "cut by", layers[0]);
+		return joinedLabel(layers[kSecond], "cut by", layers[kFirst]);
 	case PieceKind::SubBlocks:
 		break;
 	}
-	return joinedLabel(layers[0], "blocks", layers[1]);
+	return joinedLabel(layers[kFirst], "blocks", layers[kSecond]);
 }
 
 std::string curvesLabel(const LayerNames& layers) {
-	return joinedLabel(layers[0], "curves", layers[1]);
+	return joinedLabel(layers[kFirst], "curves", layers[kSecond]);
 }
 
 }  // namespace index_boolean

@@ -73,8 +73,8 @@ std::string blockLabel(Operation operation, const LayerNames& layers);
 enum class PieceKind : std::uint8_t { SubSurfacesOfFirst, SubSurfacesOfSecond, SubBlocks };
 constexpr int kPieceKindCount = 3;
 
-constexpr PieceKind subSurfacesOf(std::size_t operand) {
-	return operand == 0 ? PieceKind::SubSurfacesOfFirst : PieceKind::SubSurfacesOfSecond;
+constexpr PieceKind subSurfacesOf(OperandId operand) {
+	return operand == kFirst ? PieceKind::SubSurfacesOfFirst : PieceKind::SubSurfacesOfSecond;
 }
 
 // Their parameters and result keys.

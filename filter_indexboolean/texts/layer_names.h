@@ -4,7 +4,8 @@
 // What the operands' layers are called, in sentences and in new layers' labels.
 #pragma once
 
-#include <array>
+#include <vcg_ext/index_boolean.h>
+
 #include <string>
 
 namespace index_boolean {
@@ -13,6 +14,6 @@ struct LayerName {
 	std::string label;
 	int id;
 };
-using LayerNames = std::array<LayerName, 2>;
+using LayerNames = PerOperand<LayerName>;
 
 }  // namespace index_boolean

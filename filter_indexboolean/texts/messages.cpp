@@ -116,7 +116,7 @@ std::string subjectOf(const Remedy& remedy, const Status& status, const LayerNam
 	case Subject::OneLayer:
 		return "Layer " + quoted(layers[operandOf(status)]) + " ";
 	case Subject::BothLayers:
-		return "Layers " + quoted(layers[0]) + " and " + quoted(layers[1]) + ": ";
+		return "Layers " + quoted(layers[kFirst]) + " and " + quoted(layers[kSecond]) + ": ";
 	case Subject::Run:
 		break;
 	}
@@ -125,7 +125,7 @@ std::string subjectOf(const Remedy& remedy, const Status& status, const LayerNam
 
 }  // namespace
 
-std::size_t operandOf(const Status& status) { return status.operand == 1 ? 1 : 0; }
+OperandId operandOf(const Status& status) { return status.operand == 1 ? kSecond : kFirst; }
 
 std::string refusalMessage(const Status& status, const LayerNames& layers) {
 	const Remedy& remedy = kRemedies[static_cast<std::size_t>(status.code)];
@@ -183,14 +183,14 @@ std::string duplicatesMessage(const LayerName& layer, std::size_t takenOnce,
 
 std::vector<std::string> operandMessages(const RunReport& report, const LayerNames& layers) {
 	std::vector<std::string> messages;
-	for (std::size_t k = 0; k < layers.size(); ++k) {
-		if (report.turned[k]) {
-			messages.push_back(turnedMessage(layers[k]));
+	for (const OperandId operand : layers.operands()) {
+		if (report.turned[operand]) {
+			messages.push_back(turnedMessage(layers[operand]));
 		}
-		const std::size_t once = report.duplicates.takenOnce[k];
-		const std::size_t cancelled = report.duplicates.cancelledPairs[k];
+		const std::size_t once = report.duplicates.takenOnce[operand.value];
+		const std::size_t cancelled = report.duplicates.cancelledPairs[operand.value];
 		if (once + cancelled > 0) {
-			messages.push_back(duplicatesMessage(layers[k], once, cancelled));
+			messages.push_back(duplicatesMessage(layers[operand], once, cancelled));
 		}
 	}
 	return messages;
@@ -230,11 +230,11 @@ std::string noPiecesRequestedMessage() {
 	return noneRequested("piece", {kPieceNames.begin(), kPieceNames.end()});
 }
 
-std::string subSurfacesMessage(const SplitResult& result, std::size_t operand,
+std::string subSurfacesMessage(const SplitResult& result, OperandId operand,
                                const LayerNames& layers) {
 	std::size_t shared = 0, oneSided = 0, separating = 0;
 	double area = 0;
-	for (const SubSurfaceId id : result.split.surfaces.ofOperand[operand]) {
+	for (const SubSurfaceId id : result.split.surfaces.ofOperand[operand.value]) {
 		const SubSurface& surface = at(result.split.surfaces.all, id);
 		shared += surface.isPublic() ? 1 : 0;
 		oneSided += surface.oneSided ? 1 : 0;
@@ -276,7 +276,7 @@ std::string timeMessage(double totalSeconds, double coreSeconds) {
 }
 
 std::string emptyBlockMessage(Operation operation, const LayerNames& layers) {
-	const std::string first = quoted(layers[0]), second = quoted(layers[1]);
+	const std::string first = quoted(layers[kFirst]), second = quoted(layers[kSecond]);
 	std::string reason;
 	switch (operation) {
 	case Operation::Union:

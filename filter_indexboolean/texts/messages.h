@@ -17,7 +17,7 @@
 namespace index_boolean {
 
 // The operand that a status speaks of; the first, if it speaks of none alone.
-std::size_t operandOf(const Status& status);
+OperandId operandOf(const Status& status);
 
 // Why the run was refused. The status is not Ok.
 std::string refusalMessage(const Status& status, const LayerNames& layers);
@@ -56,7 +56,7 @@ std::string curvesMessage(const CurveLines& curves, const LoopCounts& counts,
 std::string noPiecesRequestedMessage();
 
 // How many pieces there are and of which kinds.
-std::string subSurfacesMessage(const SplitResult& result, std::size_t operand,
+std::string subSurfacesMessage(const SplitResult& result, OperandId operand,
                                const LayerNames& layers);
 std::string subBlocksMessage(const SplitResult& result, const LayerNames& layers);
 

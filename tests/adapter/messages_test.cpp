@@ -12,9 +12,9 @@
 namespace index_boolean {
 namespace {
 
-const LayerNames kLayers{{{"bunny.ply", 3}, {"50% cube", 7}}};
+const LayerNames kLayers{{"bunny.ply", 3}, {"50% cube", 7}};
 
-LayerNames named(const char* first, const char* second) { return {{{first, 0}, {second, 1}}}; }
+LayerNames named(const char* first, const char* second) { return {{first, 0}, {second, 1}}; }
 
 bool contains(const std::string& text, const std::string& part) {
 	return text.find(part) != std::string::npos;
@@ -83,14 +83,14 @@ TEST(Messages, anEmptyBlockSaysWhyForEachOperation) {
 }
 
 TEST(Messages, duplicateFacesAreCountedByWhatBecameOfThem) {
-	EXPECT_EQ(duplicatesMessage(kLayers[0], 12, 0),
+	EXPECT_EQ(duplicatesMessage(kLayers[kFirst], 12, 0),
 	          "Layer \"bunny.ply\" (id 3) has faces on the same three vertices: 12 duplicate faces "
 	          "were taken once.");
-	EXPECT_EQ(duplicatesMessage(kLayers[0], 0, 1),
+	EXPECT_EQ(duplicatesMessage(kLayers[kFirst], 0, 1),
 	          "Layer \"bunny.ply\" (id 3) has faces on the same three vertices: 1 opposite pair "
 	          "cancelled.");
 	EXPECT_EQ(
-	    duplicatesMessage(kLayers[1], 1, 2),
+	    duplicatesMessage(kLayers[kSecond], 1, 2),
 	    "Layer \"50% cube\" (id 7) has faces on the same three vertices: 1 duplicate face was "
 	    "taken once, 2 opposite pairs cancelled.");
 }
@@ -98,21 +98,22 @@ TEST(Messages, duplicateFacesAreCountedByWhatBecameOfThem) {
 TEST(Messages, whatTheCoreHasChangedIsToldOfEachLayer) {
 	RunReport report;
 	EXPECT_TRUE(operandMessages(report, kLayers).empty());
-	report.turned[1] = true;
+	report.turned[kSecond] = true;
 	report.duplicates.takenOnce[0] = 12;
 	report.duplicates.cancelledPairs[1] = 1;
-	const std::vector<std::string> expected{duplicatesMessage(kLayers[0], 12, 0),
-	                                        turnedMessage(kLayers[1]),
-	                                        duplicatesMessage(kLayers[1], 0, 1)};
+	const std::vector<std::string> expected{duplicatesMessage(kLayers[kFirst], 12, 0),
+	                                        turnedMessage(kLayers[kSecond]),
+	                                        duplicatesMessage(kLayers[kSecond], 0, 1)};
 	EXPECT_EQ(operandMessages(report, kLayers), expected);
 }
 
 TEST(Messages, namesAreListed) {
 	EXPECT_EQ(
-	    lackingAttributesMessage(kLayers[0], {"radii"}),
+	    lackingAttributesMessage(kLayers[kFirst], {"radii"}),
 	    "Layer \"bunny.ply\" (id 3) has no radii: what comes of it has MeshLab's default there.");
-	EXPECT_TRUE(contains(lackingAttributesMessage(kLayers[0], {"radii", "colours", "qualities"}),
-	                     "has no radii, colours and qualities: "));
+	EXPECT_TRUE(
+	    contains(lackingAttributesMessage(kLayers[kFirst], {"radii", "colours", "qualities"}),
+	             "has no radii, colours and qualities: "));
 	EXPECT_EQ(noPiecesRequestedMessage(),
 	          "No piece is asked for. Set at least one of these to true: sub_surfaces_first, "
 	          "sub_surfaces_second, sub_blocks.");
@@ -163,7 +164,7 @@ TEST(Messages, aSplitTellsPiecesAndWhatTheyPart) {
 	result.split.surfaces.all.push_back(surface);
 	result.split.surfaces.ofOperand[1] = {SubSurfaceId{0}, SubSurfaceId{1}};
 	result.split.blocks.separates = {0, 1};
-	EXPECT_EQ(subSurfacesMessage(result, 1, kLayers),
+	EXPECT_EQ(subSurfacesMessage(result, kSecond, kLayers),
 	          "\"50% cube cut by bunny\": 2 sub-surfaces (1 private, 1 public; 1 separating, 1 "
 	          "one-sided), area 4.");
 	EXPECT_TRUE(contains(tooManyLayersMessage(70, 64), "70 pieces, more than max_layers (64)"));

@@ -99,8 +99,8 @@ MeshArrays boxesWithFindings() {
 }
 
 void expectFindings(const RunReport& report) {
-	EXPECT_FALSE(report.turned[0]);
-	EXPECT_TRUE(report.turned[1]);
+	EXPECT_FALSE(report.turned[kFirst]);
+	EXPECT_TRUE(report.turned[kSecond]);
 	EXPECT_EQ(report.duplicates.takenOnce[0], 1u);
 	EXPECT_EQ(report.duplicates.takenOnce[1], 0u);
 	EXPECT_EQ(report.loopCounts.hardClosed, 1u);
