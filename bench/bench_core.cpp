@@ -287,10 +287,11 @@ Status readParts(const Arrangement& arrangement, Monitor& monitor, StopWatch& st
 Status findAttributes(const Operands& operands, const Arrangement& arrangement, Monitor& monitor,
                       std::vector<Block>& blocks) {
 	const auto given = [&operands](GivenFace face) {
-		const auto before = static_cast<std::uint32_t>(face.operand * operands[0].points.size());
+		const std::size_t before = face.operand == kFirst ? 0 : operands[0].points.size();
+		const auto& given = operands[face.operand.value].triangles[face.index];
 		Triangle corners;
 		for (std::size_t i = 0; i < 3; ++i) {
-			corners[i] = {before + operands[face.operand].triangles[face.index][i]};
+			corners[i] = makeId<VertexTag>(before + given[i]);
 		}
 		return corners;
 	};
@@ -315,7 +316,8 @@ Status copyIn(const Operands& operands, int threads, Monitor& monitor, MeshArray
 		const std::vector<std::uint8_t>& faux = operands[k].faux;
 		if (!faux.empty()) {
 			input.faux.resize(input.triangles.size());
-			std::copy(faux.begin(), faux.end(), input.faux.begin() + input.faceBegin[k]);
+			std::copy(faux.begin(), faux.end(),
+			          input.faux.begin() + input.faceOffsets.begin(makeId<OperandTag>(k)));
 		}
 	}
 	return status;

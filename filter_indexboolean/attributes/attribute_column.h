@@ -38,8 +38,7 @@ public:
 		return {operand, elements_[operand].vertices[given - vertices_.begin(operand)]};
 	}
 	Spot face(GivenFace given) const {
-		const OperandId operand{given.operand};
-		return {operand, elements_[operand].faces[given.index]};
+		return {given.operand, elements_[given.operand].faces[given.index]};
 	}
 	// The position of a face's corner among the vertices of its layer.
 	std::size_t cornerVertex(const Spot& face, std::size_t corner) const {

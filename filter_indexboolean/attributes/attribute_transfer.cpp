@@ -50,24 +50,24 @@ bool AttributeTransfer::areSame(const OperandElementsAccess::Spot& a,
 	});
 }
 
-std::array<std::vector<std::uint32_t>, 2> AttributeTransfer::faceClasses() const {
-	std::array<std::vector<std::uint32_t>, 2> classes;
+PerOperand<std::vector<std::uint32_t>> AttributeTransfer::faceClasses() const {
+	PerOperand<std::vector<std::uint32_t>> classes;
 	if (columns_.empty()) {
 		return classes;
 	}
 	std::unordered_map<std::string, std::uint32_t> numbers;
 	std::uint32_t next = 0;
-	for (const OperandId operand : Operands(classes.size())) {
+	for (const OperandId operand : classes.operands()) {
 		const std::size_t count = access_.elements(operand).faces.count;
 		for (std::uint32_t f = 0; f < count; ++f) {
-			const auto spot = access_.face({operand.value & 1U, f & 0x7fffffffU});
+			const auto spot = access_.face({operand, f});
 			std::string key;
 			const bool hasOneValue =
 			    std::all_of(columns_.begin(), columns_.end(),
 			                [&](const AttributeColumn& c) { return c.appendKey(spot, key); });
 			const auto [known, isNew] =
 			    hasOneValue ? numbers.emplace(key, next) : std::pair(numbers.end(), true);
-			classes[operand.value].push_back(isNew ? next++ : known->second);
+			classes[operand].push_back(isNew ? next++ : known->second);
 		}
 	}
 	return classes;

@@ -31,7 +31,7 @@ public:
 
 	// Numbers for the faces of each operand: two have the same if each attribute has one value on
 	// both of them. Empty if there are no attributes.
-	std::array<std::vector<std::uint32_t>, 2> faceClasses() const;
+	PerOperand<std::vector<std::uint32_t>> faceClasses() const;
 
 	// Makes room for all attributes in an empty layer, and adds what writes them, the normals, and
 	// where each element comes from. Throws std::bad_alloc.

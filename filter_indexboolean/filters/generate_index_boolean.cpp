@@ -74,7 +74,8 @@ std::vector<LayerContent> contentsOf(const BooleanResult& result, const BooleanR
 		if (transfer != nullptr) {
 			content.prepareAttributes = [&result, &block, transfer, i](MeshModel& layer,
 			                                                           ElementWriters& writers) {
-				transfer->prepare(block, result.sources[i], result.report.turned, layer, writers);
+				transfer->prepare(block, result.sources[i], result.report.insideOut, layer,
+				                  writers);
 			};
 		}
 		contents.push_back(std::move(content));

@@ -58,7 +58,7 @@ void addLoops(const CurveLines& curves, int layerId, ResultMap& map) {
 }
 
 void addSubSurfaces(const SplitResult& result, OperandId operand, ResultMap& map) {
-	const std::vector<SubSurfaceId>& ids = result.split.surfaces.ofOperand[operand.value];
+	const std::vector<SubSurfaceId>& ids = result.split.surfaces.ofOperand[operand];
 	const std::string name = kPieceNames[static_cast<std::size_t>(subSurfacesOf(operand))];
 	const auto listOfSurfaces = [&](auto&& number) {
 		return listOf(ids,
@@ -78,8 +78,10 @@ void addSubBlocks(const std::vector<SubBlock>& blocks, ResultMap& map) {
 	map["sub_blocks"] = toInt(blocks.size());
 	map["sub_blocks_volumes"] = listOf(blocks, [](const SubBlock& b) { return b.volume; });
 	map["sub_blocks_areas"] = listOf(blocks, [](const SubBlock& b) { return b.area; });
-	map["sub_blocks_in_first"] = listOf(blocks, [](const SubBlock& b) { return b.windings[0]; });
-	map["sub_blocks_in_second"] = listOf(blocks, [](const SubBlock& b) { return b.windings[1]; });
+	map["sub_blocks_in_first"] =
+	    listOf(blocks, [](const SubBlock& b) { return b.windings[kFirst]; });
+	map["sub_blocks_in_second"] =
+	    listOf(blocks, [](const SubBlock& b) { return b.windings[kSecond]; });
 }
 
 // Pairs of a loop and a sub-surface of an operand that it bounds, as two lists.
@@ -89,7 +91,7 @@ void addIncidence(const CurveLines& curves, const SubSurfaces& surfaces, ResultM
 		std::vector<double> loops, pieces;
 		for (std::size_t line = 0; line < curves.lines.size(); ++line) {
 			for (const SubSurfaceId id : surfaces.atLoop[line]) {
-				const std::int32_t number = at(surfaces.all, id).number[operand.value];
+				const std::int32_t number = at(surfaces.all, id).number[operand];
 				if (number < 0) {
 					continue;
 				}

@@ -82,10 +82,12 @@ Status LayerWriter::begin(Monitor& monitor) {
 	return surface_.begin(monitor);
 }
 
-void LayerWriter::writeVertices(Monitor& monitor) {
-	if (content_.surface != nullptr && !content_.prepareAttributes &&
-	    !surface_.findVertexNormals(monitor).ok()) {
-		return;
+Status LayerWriter::writeVertices(Monitor& monitor) {
+	if (content_.surface != nullptr && !content_.prepareAttributes) {
+		const Status normals = surface_.findVertexNormals(monitor);
+		if (!normals.ok()) {
+			return normals;
+		}
 	}
 	CMeshO& mesh = layer_.cm;
 	const auto append = [&](std::size_t begin, std::size_t end) {
@@ -99,18 +101,19 @@ void LayerWriter::writeVertices(Monitor& monitor) {
 	if (status.ok() && content_.curves != nullptr) {
 		addEdges(content_.curves->edges, mesh);
 	}
+	return status;
 }
 
-void LayerWriter::writeFaces(Monitor& monitor) {
+Status LayerWriter::writeFaces(Monitor& monitor) {
 	CMeshO& mesh = layer_.cm;
-	inOrderFor(trianglesOf(content_).size(), kAppendGrain, monitor,
-	           [&](std::size_t begin, std::size_t end) {
-		           surface_.appendFaces(begin, end);
-		           for (const RangeWriter& write : writers_.faces) {
-			           write(begin, end);
-		           }
-		           mesh.sfn += countSelected(mesh.face, begin, end);
-	           });
+	return inOrderFor(trianglesOf(content_).size(), kAppendGrain, monitor,
+	                  [&](std::size_t begin, std::size_t end) {
+		                  surface_.appendFaces(begin, end);
+		                  for (const RangeWriter& write : writers_.faces) {
+			                  write(begin, end);
+		                  }
+		                  mesh.sfn += countSelected(mesh.face, begin, end);
+	                  });
 }
 
 std::size_t LayerWriter::vertexBytes() const {

@@ -52,8 +52,8 @@ public:
 	Status begin(Monitor& monitor);
 
 	// Stop early once the monitor is cancelled. Throw std::bad_alloc. O(n).
-	void writeVertices(Monitor& monitor);
-	void writeFaces(Monitor& monitor);
+	Status writeVertices(Monitor& monitor);
+	Status writeFaces(Monitor& monitor);
 
 	// What is written, about.
 	std::size_t vertexBytes() const;

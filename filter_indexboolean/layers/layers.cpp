@@ -56,7 +56,8 @@ private:
 // The vertices or the faces of one layer.
 struct WritingTask {
 	LayerWriter* writer;
-	void (LayerWriter::*write)(Monitor&);
+	Status (LayerWriter::*write)(Monitor&);
+	Status status;
 	std::size_t bytes;
 };
 
@@ -73,19 +74,24 @@ Status fillLayers(const std::vector<LayerContent>& contents, Monitor& monitor,
 		if (!status.ok()) {
 			return status;
 		}
-		tasks.push_back({&writer, &LayerWriter::writeVertices, writer.vertexBytes()});
-		tasks.push_back({&writer, &LayerWriter::writeFaces, writer.faceBytes()});
+		tasks.push_back({&writer, &LayerWriter::writeVertices, {}, writer.vertexBytes()});
+		tasks.push_back({&writer, &LayerWriter::writeFaces, {}, writer.faceBytes()});
 		bytes += writer.vertexBytes() + writer.faceBytes();
 	}
 	std::stable_sort(tasks.begin(), tasks.end(),
 	                 [](const WritingTask& a, const WritingTask& b) { return a.bytes > b.bytes; });
 	constexpr std::size_t kWorthThreads = std::size_t{1} << 20;
 	const std::size_t grain = bytes > kWorthThreads ? 1 : tasks.size();
-	return parallelFor(tasks.size(), grain, 0, monitor, [&](std::size_t begin, std::size_t end) {
-		for (std::size_t i = begin; i < end; ++i) {
-			(tasks[i].writer->*tasks[i].write)(monitor);
-		}
-	});
+	Status status =
+	    parallelFor(tasks.size(), grain, 0, monitor, [&](std::size_t begin, std::size_t end) {
+		    for (std::size_t i = begin; i < end; ++i) {
+			    tasks[i].status = (tasks[i].writer->*tasks[i].write)(monitor);
+		    }
+	    });
+	for (const WritingTask& task : tasks) {
+		status = status.ok() ? task.status : status;
+	}
+	return status;
 }
 
 }  // namespace
@@ -105,8 +111,8 @@ Status readLayers(const PerOperand<MeshModel*>& layers, Progress& progress, Oper
 		for (const OperandId operand : layers.operands()) {
 			const CMeshO& mesh = layers[operand]->cm;
 			if (status.ok()) {
-				status = appendOperand(mesh, mesh.Tr, static_cast<int>(operand.value), monitor,
-				                       out.arrays, out.elements[operand]);
+				status = appendOperand(mesh, mesh.Tr, operand, monitor, out.arrays,
+				                       out.elements[operand]);
 			}
 		}
 		return status;

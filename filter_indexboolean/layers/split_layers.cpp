@@ -48,7 +48,7 @@ void appendMesh(const SplitMesh& mesh, std::int32_t block, const SplitResult& re
 		const auto& [a, b, c] = mesh.triangles[i];
 		layer.triangles.push_back({first + a, first + b, first + c});
 		const FaceId source = mesh.faceSource[i].face;
-		const auto operand = static_cast<std::size_t>(result.arrangement.mesh.operandOf(source));
+		const OperandId operand = result.arrangement.mesh.operandOf(source);
 		const SubSurface& surface = at(result.split.surfaces.all, mesh.subSurface[i]);
 		numbersOf(FaceNumber::SubSurface, layer).push_back(surface.number[operand]);
 		numbersOf(FaceNumber::BlockFront, layer).push_back(mesh.beside[i][0]);

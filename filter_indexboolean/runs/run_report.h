@@ -14,7 +14,7 @@
 namespace index_boolean {
 
 struct RunReport {
-	PerOperand<bool> turned;  // as in the arrangement
+	PerOperand<bool> insideOut;  // as in the arrangement
 	DuplicateFaces duplicates;
 	LoopCounts loopCounts;
 	std::vector<StageTime> stageTimes;  // in the order of the stages
@@ -33,7 +33,7 @@ struct RunReport {
 // The report of a run that has come as far as its arrangement.
 inline RunReport reportOf(const Arrangement& arrangement) {
 	RunReport report;
-	report.turned = {arrangement.turned[0], arrangement.turned[1]};
+	report.insideOut = arrangement.insideOut;
 	report.duplicates = arrangement.duplicates;
 	report.loopCounts = arrangement.loopCounts;
 	report.stageTimes = arrangement.stageTimes;

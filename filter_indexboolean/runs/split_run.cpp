@@ -19,8 +19,7 @@ Status collectSurfaceMeshes(const SplitRequest& request, Progress& progress, Spl
 		SplitMesh& mesh = result.surfaceMeshes[operand];
 		Monitor monitor = progress.nextPhase(share);
 		if (request.subSurfaces[operand] && status.ok()) {
-			status =
-			    extractSubSurfaces(result.arrangement, result.split, operand.value, monitor, mesh);
+			status = extractSubSurfaces(result.arrangement, result.split, operand, monitor, mesh);
 		}
 	}
 	return status;

@@ -33,7 +33,7 @@ struct SplitResult {
 
 	// How many sub-surfaces an operand has.
 	std::size_t surfaceCount(OperandId operand) const {
-		return split.surfaces.ofOperand[operand.value].size();
+		return split.surfaces.ofOperand[operand].size();
 	}
 };
 

@@ -184,11 +184,11 @@ std::string duplicatesMessage(const LayerName& layer, std::size_t takenOnce,
 std::vector<std::string> operandMessages(const RunReport& report, const LayerNames& layers) {
 	std::vector<std::string> messages;
 	for (const OperandId operand : layers.operands()) {
-		if (report.turned[operand]) {
+		if (report.insideOut[operand]) {
 			messages.push_back(turnedMessage(layers[operand]));
 		}
-		const std::size_t once = report.duplicates.takenOnce[operand.value];
-		const std::size_t cancelled = report.duplicates.cancelledPairs[operand.value];
+		const std::size_t once = report.duplicates.takenOnce[operand];
+		const std::size_t cancelled = report.duplicates.cancelledPairs[operand];
 		if (once + cancelled > 0) {
 			messages.push_back(duplicatesMessage(layers[operand], once, cancelled));
 		}
@@ -234,7 +234,7 @@ std::string subSurfacesMessage(const SplitResult& result, OperandId operand,
                                const LayerNames& layers) {
 	std::size_t shared = 0, oneSided = 0, separating = 0;
 	double area = 0;
-	for (const SubSurfaceId id : result.split.surfaces.ofOperand[operand.value]) {
+	for (const SubSurfaceId id : result.split.surfaces.ofOperand[operand]) {
 		const SubSurface& surface = at(result.split.surfaces.all, id);
 		shared += surface.isPublic() ? 1 : 0;
 		oneSided += surface.oneSided ? 1 : 0;

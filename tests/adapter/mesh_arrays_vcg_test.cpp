@@ -253,8 +253,8 @@ TYPED_TEST(MeshArraysVcg, fauxEdgesAreReadAndWritten) {
 	EXPECT_TRUE(none.faux.empty());
 	read(quads, TestFixture::Matrix::Identity(), kFirst, first);
 	read(plain, TestFixture::Matrix::Identity(), kSecond, first);
-	read(plain, TestFixture::Matrix::Identity(), 0, second);
-	read(quads, TestFixture::Matrix::Identity(), 1, second);
+	read(plain, TestFixture::Matrix::Identity(), kFirst, second);
+	read(quads, TestFixture::Matrix::Identity(), kSecond, second);
 	faux.erase(faux.begin() + 1);
 	std::vector<std::uint8_t> before(4, 0), behind = faux;
 	behind.insert(behind.end(), 4, 0);

@@ -98,9 +98,9 @@ TEST(Messages, duplicateFacesAreCountedByWhatBecameOfThem) {
 TEST(Messages, whatTheCoreHasChangedIsToldOfEachLayer) {
 	RunReport report;
 	EXPECT_TRUE(operandMessages(report, kLayers).empty());
-	report.turned[kSecond] = true;
-	report.duplicates.takenOnce[0] = 12;
-	report.duplicates.cancelledPairs[1] = 1;
+	report.insideOut[kSecond] = true;
+	report.duplicates.takenOnce[kFirst] = 12;
+	report.duplicates.cancelledPairs[kSecond] = 1;
 	const std::vector<std::string> expected{duplicatesMessage(kLayers[kFirst], 12, 0),
 	                                        turnedMessage(kLayers[kSecond]),
 	                                        duplicatesMessage(kLayers[kSecond], 0, 1)};
@@ -162,7 +162,7 @@ TEST(Messages, aSplitTellsPiecesAndWhatTheyPart) {
 	surface.closedCycles = 2;
 	surface.oneSided = false;
 	result.split.surfaces.all.push_back(surface);
-	result.split.surfaces.ofOperand[1] = {SubSurfaceId{0}, SubSurfaceId{1}};
+	result.split.surfaces.ofOperand[kSecond] = {SubSurfaceId{0}, SubSurfaceId{1}};
 	result.split.blocks.separates = {0, 1};
 	EXPECT_EQ(subSurfacesMessage(result, kSecond, kLayers),
 	          "\"50% cube cut by bunny\": 2 sub-surfaces (1 private, 1 public; 1 separating, 1 "

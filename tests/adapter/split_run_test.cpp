@@ -99,10 +99,10 @@ MeshArrays boxesWithFindings() {
 }
 
 void expectFindings(const RunReport& report) {
-	EXPECT_FALSE(report.turned[kFirst]);
-	EXPECT_TRUE(report.turned[kSecond]);
-	EXPECT_EQ(report.duplicates.takenOnce[0], 1u);
-	EXPECT_EQ(report.duplicates.takenOnce[1], 0u);
+	EXPECT_FALSE(report.insideOut[kFirst]);
+	EXPECT_TRUE(report.insideOut[kSecond]);
+	EXPECT_EQ(report.duplicates.takenOnce[kFirst], 1u);
+	EXPECT_EQ(report.duplicates.takenOnce[kSecond], 0u);
 	EXPECT_EQ(report.loopCounts.hardClosed, 1u);
 }
 

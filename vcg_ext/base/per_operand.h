@@ -115,23 +115,23 @@ public:
 		std::copy(values.begin(), values.end(), begin());
 	}
 
-	T& operator[](OperandId operand) { return slots()[operand.value].value; }
-	const T& operator[](OperandId operand) const { return slots()[operand.value].value; }
+	T& operator[](OperandId operand) { return stored()[operand.value].value; }
+	const T& operator[](OperandId operand) const { return stored()[operand.value].value; }
 
 	std::size_t size() const { return count_; }
 	Operands operands() const { return Operands(count_); }
-	auto begin() { return SlotIterator<Slot, T>(slots()); }
-	auto end() { return SlotIterator<Slot, T>(slots() + count_); }
-	auto begin() const { return SlotIterator<const Slot, const T>(slots()); }
-	auto end() const { return SlotIterator<const Slot, const T>(slots() + count_); }
+	auto begin() { return SlotIterator<Slot, T>(stored()); }
+	auto end() { return SlotIterator<Slot, T>(stored() + count_); }
+	auto begin() const { return SlotIterator<const Slot, const T>(stored()); }
+	auto end() const { return SlotIterator<const Slot, const T>(stored() + count_); }
 
 	friend bool operator==(const PerOperand& a, const PerOperand& b) {
 		return std::equal(a.begin(), a.end(), b.begin(), b.end());
 	}
 
 private:
-	Slot* slots() { return count_ > 2 ? more_.data() : few_.data(); }
-	const Slot* slots() const { return count_ > 2 ? more_.data() : few_.data(); }
+	Slot* stored() { return count_ > 2 ? more_.data() : few_.data(); }
+	const Slot* stored() const { return count_ > 2 ? more_.data() : few_.data(); }
 
 	std::array<Slot, 2> few_{};
 	std::vector<Slot> more_;  // instead, of more than two

@@ -67,6 +67,7 @@ LiveElements liveElements(const Elements& elements, int liveCount) {
 template <class TriMesh>
 class VertexNumbering {
 public:
+	VertexNumbering() = default;  // of no vertices
 	// \param live the mesh's vertices that get an id; \param begin the id of the first of them
 	VertexNumbering(const TriMesh& mesh, const LiveElements& live, std::size_t begin)
 	    : first_(mesh.vert.data()), size_(mesh.vert.size()), begin_(begin) {
@@ -91,8 +92,8 @@ public:
 	}
 
 private:
-	const typename TriMesh::VertexType* first_;
-	std::size_t size_, begin_;
+	const typename TriMesh::VertexType* first_ = nullptr;
+	std::size_t size_ = 0, begin_ = 0;
 	std::vector<VertexId> ids_;  // by position; empty: no vertex is deleted
 };
 
