@@ -288,10 +288,10 @@ Status findAttributes(const Operands& operands, const Arrangement& arrangement, 
                       std::vector<Block>& blocks) {
 	const auto given = [&operands](GivenFace face) {
 		const std::size_t before = face.operand == kFirst ? 0 : operands[0].points.size();
-		const auto& given = operands[face.operand.value].triangles[face.index];
+		const auto& triangle = operands[face.operand.value].triangles[face.index];
 		Triangle corners;
 		for (std::size_t i = 0; i < 3; ++i) {
-			corners[i] = makeId<VertexTag>(before + given[i]);
+			corners[i] = makeId<VertexTag>(before + triangle[i]);
 		}
 		return corners;
 	};

@@ -57,7 +57,6 @@ private:
 struct WritingTask {
 	LayerWriter* writer;
 	Status (LayerWriter::*write)(Monitor&);
-	Status status;
 	std::size_t bytes;
 };
 
@@ -74,22 +73,23 @@ Status fillLayers(const std::vector<LayerContent>& contents, Monitor& monitor,
 		if (!status.ok()) {
 			return status;
 		}
-		tasks.push_back({&writer, &LayerWriter::writeVertices, {}, writer.vertexBytes()});
-		tasks.push_back({&writer, &LayerWriter::writeFaces, {}, writer.faceBytes()});
+		tasks.push_back({&writer, &LayerWriter::writeVertices, writer.vertexBytes()});
+		tasks.push_back({&writer, &LayerWriter::writeFaces, writer.faceBytes()});
 		bytes += writer.vertexBytes() + writer.faceBytes();
 	}
 	std::stable_sort(tasks.begin(), tasks.end(),
 	                 [](const WritingTask& a, const WritingTask& b) { return a.bytes > b.bytes; });
 	constexpr std::size_t kWorthThreads = std::size_t{1} << 20;
 	const std::size_t grain = bytes > kWorthThreads ? 1 : tasks.size();
+	std::vector<Status> statuses(tasks.size());
 	Status status =
 	    parallelFor(tasks.size(), grain, 0, monitor, [&](std::size_t begin, std::size_t end) {
 		    for (std::size_t i = begin; i < end; ++i) {
-			    tasks[i].status = (tasks[i].writer->*tasks[i].write)(monitor);
+			    statuses[i] = (tasks[i].writer->*tasks[i].write)(monitor);
 		    }
 	    });
-	for (const WritingTask& task : tasks) {
-		status = status.ok() ? task.status : status;
+	for (const Status& written : statuses) {
+		status = status.ok() ? written : status;
 	}
 	return status;
 }
