@@ -22,6 +22,8 @@ from rich import box
 from rich.console import Console
 from rich.table import Table
 
+from mesh_pairs import MESHES_VARIABLE, ember_pairs, standard_pair
+
 HERE = Path(__file__).resolve().parent
 LIBRARIES = ["trueform", "MeshLib", "Manifold", "CGAL", "libigl", "VTK"]
 FILTERS = ["filter", "MeshLab"]
@@ -95,25 +97,16 @@ def terrain_case(faces):
 
 def mesh_cases(folder):
     def pair(name, operation, first, second):
-        files = (folder / first, folder / second)
-        return Case(name, operation, [*map(str, files), "--place", "standard"], files)
-
-    def flat(matrix):
-        return ",".join(repr(number) for row in matrix for number in row)
+        files, arguments = standard_pair(folder, first, second)
+        return Case(name, operation, arguments, files)
 
     cases = [
         pair("armadillo {} bunny100k", "first_minus_second", "armadillo.obj", "bunny100k.obj"),
         pair("fertility {} itself, moved", "union", "fertility.obj", "fertility.obj"),
         pair("falconstatue {} skull", "intersection", "falconstatue.obj", "skull.obj"),
     ]
-    for entry in json.loads((folder / "ember_cases.json").read_text()):
-        files = (folder / entry["a"], folder / entry["b"])
-        transforms = [
-            "--transform-first", flat(entry["transform_a"]),
-            "--transform-second", flat(entry["transform_b"]),
-        ]
+    for files, arguments in ember_pairs(folder):
         name = f"{files[0].stem} {{}} {files[1].stem}"
-        arguments = [*map(str, files), *transforms]
         cases.append(Case(name, "first_minus_second", arguments, files))
     return cases
 
@@ -356,11 +349,11 @@ def select_cases(spheres, terrain, name):
         *sphere_cases(spheres), *sphere_cases(4 * spheres)[:1], *twin_cases(spheres // 4),
         wall_case(64), plate_case(100), plate_case(2500), box_case(), terrain_case(terrain),
     ]
-    folder = os.environ.get("INDEXBOOLEAN_MESHES")
+    folder = os.environ.get(MESHES_VARIABLE)
     if folder:
         cases += mesh_cases(Path(folder).resolve())
     else:
-        print("INDEXBOOLEAN_MESHES is not set: only generated spheres", file=sys.stderr)
+        print(f"{MESHES_VARIABLE} is not set: only generated spheres", file=sys.stderr)
     cases = [case for case in cases if name in case.title()]
     if not cases:
         sys.exit(f"no case has {name!r} in its title")
