@@ -104,14 +104,16 @@ def noise(rounds):
 
 
 def verdict(rounds, tolerance):
-    """(The median ratio of after to before, the noise, a word.)"""
+    """(The median ratio of after to before, the noise, a word.)
+
+    It is only ok if the noise could not hide that it is slower."""
     ratio = statistics.median(
         after / base for before, after, again in rounds for base in (before, again)
     )
     scatter = noise(rounds)
     if ratio > 1 + tolerance + scatter:
         return ratio, scatter, "SLOWER"
-    return ratio, scatter, "unclear" if ratio > 1 + tolerance else "ok"
+    return ratio, scatter, "unclear" if ratio > 1 + tolerance - scatter else "ok"
 
 
 def measure(programs, case, args):
