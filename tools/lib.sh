@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: 2026 The Index Boolean authors
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
-# Sourced by the scripts beside it. Moves to the top of the repository.
+# Sourced by the scripts here and in bench/. Moves to the top of the repository.
 cd "$(dirname "$0")/.."
 
 jobs=$(nproc)
@@ -37,6 +37,18 @@ build_plugin() {
 	say "Building the plugin for $1"
 	cmake --preset release > /dev/null
 	cmake --build --preset release --parallel "$jobs" --target "plugin-$1"
+}
+
+# build_with_commit COMMIT TARGET: builds the target here and in out/guard/tree, the commit's tree.
+build_with_commit() {
+	checkout_commit "$1"
+	for tree in . out/guard/tree; do
+		(
+			cd "$tree"
+			cmake --preset release > /dev/null
+			cmake --build --preset release --parallel "$jobs" --target "$2"
+		)
+	done
 }
 
 # checkout_commit COMMIT: makes out/guard/tree the tree of the commit, with the headers of this one.
