@@ -81,13 +81,15 @@ TEST(Parallel, chunksDependOnTheGrainOnly) {
 TEST(Parallel, oneChunkOrOneThreadOpensNoRegion) {
 	for (const auto& [n, threads] : {std::pair{8, 4}, {100, 1}}) {
 		Monitor monitor;
-		parallelFor(static_cast<std::size_t>(n), 8, threads, monitor,
-		            [caller = std::this_thread::get_id()](std::size_t, std::size_t) {
-			            EXPECT_EQ(std::this_thread::get_id(), caller);
+		const Status status =
+		    parallelFor(static_cast<std::size_t>(n), 8, threads, monitor,
+		                [caller = std::this_thread::get_id()](std::size_t, std::size_t) {
+			                EXPECT_EQ(std::this_thread::get_id(), caller);
 #ifdef _OPENMP
-			            EXPECT_EQ(omp_get_level(), 0);
+			                EXPECT_EQ(omp_get_level(), 0);
 #endif
-		            });
+		                });
+		EXPECT_TRUE(status.ok());
 	}
 }
 
@@ -121,7 +123,7 @@ TEST(Parallel, chunksAfterAFailureAreSkipped) {
 	for (const bool outOfMemory : {false, true}) {
 		Monitor monitor;
 		std::size_t last = 0;
-		parallelFor(100, 1, 1, monitor, [&](std::size_t begin, std::size_t) {
+		const Status status = parallelFor(100, 1, 1, monitor, [&](std::size_t begin, std::size_t) {
 			last = begin;
 			if (begin == 40 && outOfMemory) {
 				throw std::bad_alloc();
@@ -130,6 +132,7 @@ TEST(Parallel, chunksAfterAFailureAreSkipped) {
 				throw std::runtime_error("thrown by a test");
 			}
 		});
+		EXPECT_EQ(status.code, outOfMemory ? StatusCode::OutOfMemory : StatusCode::InternalError);
 		EXPECT_EQ(last, 40U);
 	}
 }
@@ -168,10 +171,11 @@ TEST(Parallel, callbackIsCalledOnTheCallingThreadOnly) {
 		return true;
 	});
 	monitor.beginStage("test", 0, 1);
-	parallelFor(100, 1, 4, monitor, [&monitor](std::size_t, std::size_t) {
+	const Status status = parallelFor(100, 1, 4, monitor, [&monitor](std::size_t, std::size_t) {
 		std::this_thread::sleep_for(std::chrono::milliseconds(2));
 		pollCancelled(monitor);
 	});
+	EXPECT_TRUE(status.ok());
 	EXPECT_EQ(callers, std::set<std::thread::id>{std::this_thread::get_id()});
 }
 
@@ -184,9 +188,10 @@ TEST(Parallel, finishedChunksAreReported) {
 		return true;
 	});
 	monitor.beginStage("test", 0.5, 0.75);
-	parallelFor(10, 1, 1, monitor, [](std::size_t, std::size_t) {
+	const Status status = parallelFor(10, 1, 1, monitor, [](std::size_t, std::size_t) {
 		std::this_thread::sleep_for(std::chrono::milliseconds(12));
 	});
+	EXPECT_TRUE(status.ok());
 	EXPECT_EQ(calls, 11);
 	EXPECT_DOUBLE_EQ(last, 0.75);
 }
@@ -213,12 +218,14 @@ TEST(Parallel, bodiesComputeInTheDefaultEnvironment) {
 			Monitor monitor;
 			std::atomic<int> spoilt{0};
 			spoilEnvironmentOfAllThreads(threads);
-			parallelFor(n, 1, threads, monitor, [&spoilt](std::size_t, std::size_t) {
-				if (!environmentIsDefault()) {
-					++spoilt;
-				}
-				std::this_thread::sleep_for(std::chrono::microseconds(200));
-			});
+			const Status status =
+			    parallelFor(n, 1, threads, monitor, [&spoilt](std::size_t, std::size_t) {
+				    if (!environmentIsDefault()) {
+					    ++spoilt;
+				    }
+				    std::this_thread::sleep_for(std::chrono::microseconds(200));
+			    });
+			EXPECT_TRUE(status.ok());
 			EXPECT_FALSE(environmentIsDefault()) << "the host's environment is given back";
 			EXPECT_EQ(std::fegetround(), FE_UPWARD);
 			EXPECT_EQ(spoilt, 0) << n << " chunks, " << threads << " threads";
@@ -240,9 +247,10 @@ TEST(Parallel, aCallbackThatSpoilsTheEnvironmentSpoilsNothingAfterIt) {
 		monitor.beginStage("test", 0, 1);
 		EXPECT_TRUE(environmentIsDefault()) << "what is not in a parallel region";
 		int spoilt = 0;
-		parallelFor(1, 1, 1, monitor, [&spoilt](std::size_t, std::size_t) {
+		const Status status = parallelFor(1, 1, 1, monitor, [&spoilt](std::size_t, std::size_t) {
 			spoilt += environmentIsDefault() ? 0 : 1;
 		});
+		EXPECT_TRUE(status.ok());
 		EXPECT_EQ(spoilt, 0);
 	}
 	std::fesetenv(&before);
