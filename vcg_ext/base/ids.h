@@ -25,6 +25,9 @@ struct Id {
 	friend constexpr bool operator<(Id a, Id b) { return a.value < b.value; }
 };
 
+// What an index is where there is none.
+constexpr std::uint32_t kNone = 0xffffffff;
+
 using VertexId = Id<struct VertexTag>;  // an input vertex, or a point of the curve (numbered after)
 using FaceId = Id<struct FaceTag>;      // an input face
 using PointId = Id<struct PointTag>;    // a point of the curve; its VertexId is vertexCount + value

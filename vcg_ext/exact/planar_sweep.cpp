@@ -8,6 +8,7 @@
 // point that no edge reaches from the left, at the point of the chain that was added last.
 #include "vcg_ext/exact/planar_sweep.h"
 
+#include "vcg_ext/base/ids.h"
 #include "vcg_ext/base/parallel.h"
 
 #include <boost/intrusive/set.hpp>
@@ -17,8 +18,6 @@
 namespace index_boolean {
 
 namespace {
-
-constexpr std::uint32_t kNone = 0xffffffffu;
 
 // One entry of a chain; neighbours by index.
 struct Link {
