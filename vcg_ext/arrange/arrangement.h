@@ -8,6 +8,7 @@
 #pragma once
 
 #include "vcg_ext/mesh/mesh_arrays.h"
+#include "vcg_ext/mesh/mesh_checks.h"
 
 #include <string>
 
@@ -25,6 +26,9 @@ struct Options {
 	bool mergeCoplanar = false;    // and coplanar neighbours become one face, as far as they can
 	bool weldNonManifold = false;  // where a block meets itself, it keeps one vertex, not copies
 	bool checkSelfIntersections = false;  // search each operand for faces that meet wrongly
+	// How many there may be of anything that a run numbers: vertices, faces, points of contact,
+	// pieces; of corners and label nodes, twice as many. More is TooLarge. Raising it does nothing.
+	std::size_t mostElements = kMostElements;
 };
 
 // Counts of the maximal chains of intersection edges (the paper's loops).

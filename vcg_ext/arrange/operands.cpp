@@ -31,8 +31,10 @@ Status failure(StatusCode code, OperandId operand, std::size_t count) {
 	return status;
 }
 
-Status checkSizes(const MeshArrays& mesh) {
-	const Status status = checkCounts(mesh.points.size(), mesh.triangles.size());
+Status checkSizes(const MeshArrays& mesh, std::size_t most) {
+	const std::size_t points = mesh.points.size(), faces = mesh.triangles.size();
+	const Status status = inOrder([&] { return checkCounts(points, faces, most); },
+	                              [&] { return checkNumbering(3 * faces, most); });
 	if (!status.ok()) {
 		return status;
 	}
@@ -160,7 +162,7 @@ Status dropCollapsedFaces(Arrangement& arrangement) {
 	mesh.triangles.resize(kept);
 	mesh.faux.resize(mesh.faux.empty() ? 0 : kept);
 	arrangement.faceGiven = std::move(given);
-	return checkSizes(mesh);
+	return checkSizes(mesh, arrangement.options.mostElements);
 }
 
 // Whether the edge from a to b lies on the line of an edge of a triangle.
@@ -390,7 +392,7 @@ Status cleanZeroAreaFaces(Arrangement& arrangement, Monitor& monitor, PerOperand
 	mesh.faux = std::move(faces.faux);
 	mesh.faceOffsets = std::move(faces.offsets);
 	arrangement.faceGiven = std::move(faces.given);
-	return inOrder([&] { return checkSizes(mesh); },
+	return inOrder([&] { return checkSizes(mesh, arrangement.options.mostElements); },
 	               [&] { return lookAtFaces(arrangement, monitor, seen); });
 }
 
@@ -521,7 +523,7 @@ Status weldOperands(Arrangement& arrangement, Monitor& monitor, CornerWelder& we
 		const bool any = std::find(welded.begin(), welded.end(), true) != welded.end();
 		return any ? lookAtCorners(arrangement, monitor, facts) : Status{};
 	};
-	return inOrder([&] { return checkSizes(arrangement.mesh); },
+	return inOrder([&] { return checkSizes(arrangement.mesh, arrangement.options.mostElements); },
 	               [&] { return checkCorners(arrangement, monitor, welder, facts); },
 	               [&] { return welder.weldWithinOperands(welded); }, lookAgain,
 	               [&] { return facts.anyEqual ? dropCollapsedFaces(arrangement) : Status{}; });

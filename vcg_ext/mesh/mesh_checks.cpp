@@ -63,16 +63,24 @@ std::vector<Side> sortedSides(const Triangle* begin, const Triangle* end) {
 	return sides;
 }
 
-}  // namespace
-
-Status checkCounts(std::size_t points, std::size_t faces) {
+Status tooLargeIf(bool isTooLarge, std::size_t count) {
 	Status status;
-	const std::size_t most = std::max(points, faces);
-	if (most > kMostElements) {
+	if (isTooLarge) {
 		status.code = StatusCode::TooLarge;
-		status.count = most;
+		status.count = count;
 	}
 	return status;
+}
+
+}  // namespace
+
+Status checkCounts(std::size_t points, std::size_t faces, std::size_t most) {
+	const std::size_t count = std::max(points, faces);
+	return tooLargeIf(count > std::min(most, kMostElements), count);
+}
+
+Status checkNumbering(std::size_t count, std::size_t most) {
+	return tooLargeIf(count > 2 * std::min(most, kMostElements), count);
 }
 
 Status boundaryChecksum(const Triangle* begin, const Triangle* end, int threads, Monitor& monitor,

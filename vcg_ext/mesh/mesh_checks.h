@@ -18,8 +18,13 @@ namespace index_boolean {
 // The most points, and the most faces, that both operands may have together.
 constexpr std::size_t kMostElements = 0x7fffffff;
 
+// \param most how many there may be of each; no more than kMostElements count
 // \return Ok, or TooLarge with the larger count, of no operand in particular. O(1).
-Status checkCounts(std::size_t points, std::size_t faces);
+Status checkCounts(std::size_t points, std::size_t faces, std::size_t most = kMostElements);
+
+// The same for what there is more of, such as corners: up to twice as many have numbers, none()
+// left out, in 32 bits. \return Ok, or TooLarge with the count. O(1).
+Status checkNumbering(std::size_t count, std::size_t most = kMostElements);
 
 // A fixed bijection in which every bit of the key changes every bit of the hash about half the
 // time: two rounds of multiplying by an odd number and folding the high half onto the low one.
