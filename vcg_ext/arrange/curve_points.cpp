@@ -4,8 +4,8 @@
 // Everything here is sorting: names to number the points, faces to list those that are touched.
 #include "vcg_ext/arrange/curve_points.h"
 
+#include "vcg_ext/arrange/numbered_sort.h"
 #include "vcg_ext/arrange/places.h"
-#include "vcg_ext/base/bucket_sort.h"
 #include "vcg_ext/base/parallel.h"
 
 #include <algorithm>
@@ -19,91 +19,84 @@ bool isNewPoint(const PointName& name) {
 	return name.kind == PointKind::EdgeEdge || name.kind == PointKind::EdgeFace;
 }
 
+// A name and its place among the contacts' names.
 struct NamedSlot {
 	PointName name;
-	std::uint32_t slot;  // in the contacts
+	std::uint32_t slot;
 };
 
-class PointNumbering {
-public:
-	PointNumbering(Arrangement& arrangement, const Contacts& contacts, Monitor& monitor,
-	               std::vector<VertexId>& vertexOfName)
-	    : arrangement_(arrangement), mesh_(arrangement.mesh), curve_(arrangement.curve),
-	      contacts_(contacts), monitor_(monitor), vertexOfName_(vertexOfName) {}
+// A list of contacts may be longer than 32 bits number.
+Status checkContacts(const Contacts& contacts, const Options& options) {
+	return checkCounts(contacts.names.size(), contacts.pairs.size(), options.mostElements);
+}
 
-	Status numberPoints();
-	Status roundPoints();
-	Status collectTouchedFaces();
-
-private:
-	// As std::sort, for items with few equal keys in [0, keyCount).
-	template <class Item, class KeyOf, class Before>
-	Status sort(std::vector<Item>& items, std::size_t keyCount, KeyOf&& keyOf,
-	            Before&& before) const {
-		return bucketSort(items, keyCount, keyOf, before, arrangement_.options.threads, monitor_);
+// Names that stand for input vertices are those vertices; the new points are left to be numbered.
+std::vector<NamedSlot> takeInputVertices(const Contacts& contacts, Curve& curve,
+                                         std::vector<VertexId>& vertexOfName) {
+	std::vector<NamedSlot> newPoints;
+	vertexOfName.resize(contacts.names.size());
+	for (std::uint32_t i = 0; i < contacts.names.size(); ++i) {
+		const PointName& name = contacts.names[i];
+		if (isNewPoint(name)) {
+			newPoints.push_back({name, i});
+		} else {
+			vertexOfName[i] = {name.ids[0]};
+			curve.onOther[name.ids[0]] = 1;
+		}
 	}
-
-	Arrangement& arrangement_;
-	const MeshArrays& mesh_;
-	Curve& curve_;
-	const Contacts& contacts_;
-	Monitor& monitor_;
-	std::vector<VertexId>& vertexOfName_;
-};
+	return newPoints;
+}
 
 // New points are numbered in the order of their names; the others are input vertices.
-Status PointNumbering::numberPoints() {
-	curve_.onOther = mesh_.quietVertices;
-	curve_.onOther.resize(mesh_.points.size(), 0);
-	vertexOfName_.resize(contacts_.names.size());
-	std::vector<NamedSlot> slots;
-	for (std::uint32_t i = 0; i < contacts_.names.size(); ++i) {
-		const PointName& name = contacts_.names[i];
-		if (isNewPoint(name)) {
-			slots.push_back({name, i});
-		} else {
-			vertexOfName_[i] = {name.ids[0]};
-			curve_.onOther[name.ids[0]] = 1;
-		}
+Status numberPoints(Arrangement& arrangement, const Contacts& contacts, Monitor& monitor,
+                    std::vector<VertexId>& vertexOfName) {
+	Curve& curve = arrangement.curve;
+	const std::size_t vertexCount = arrangement.mesh.points.size();
+	curve.onOther = arrangement.mesh.quietVertices;
+	curve.onOther.resize(vertexCount, 0);
+	std::vector<NamedSlot> slots = takeInputVertices(contacts, curve, vertexOfName);
+	const auto keyOf = [vertexCount](const NamedSlot& slot) {
+		const bool isOnFace = slot.name.kind == PointKind::EdgeFace;
+		return (isOnFace ? vertexCount : 0) + slot.name.ids[0];
+	};
+	const auto before = [](const NamedSlot& a, const NamedSlot& b) { return a.name < b.name; };
+	const Status status =
+	    sortNumbered(slots, 2 * vertexCount, keyOf, before, arrangement.options, monitor);
+	if (!status.ok()) {
+		return status;
 	}
-	const std::size_t n = mesh_.points.size();
-	const Status status = sort(
-	    slots, 2 * n,
-	    [n](const NamedSlot& slot) {
-		    return (slot.name.kind == PointKind::EdgeFace ? n : 0) + slot.name.ids[0];
-	    },
-	    [](const NamedSlot& a, const NamedSlot& b) { return a.name < b.name; });
 	for (const auto& [name, slot] : slots) {
-		if (curve_.names.empty() || !(curve_.names.back() == name)) {
-			curve_.names.push_back(name);
+		if (curve.names.empty() || !(curve.names.back() == name)) {
+			curve.names.push_back(name);
 		}
-		vertexOfName_[slot] = arrangement_.vertexOf(makeId<PointTag>(curve_.names.size() - 1));
+		vertexOfName[slot] = arrangement.vertexOf(makeId<PointTag>(curve.names.size() - 1));
 	}
-	return status;
+	return checkCounts(vertexCount + curve.pointCount(), 0, arrangement.options.mostElements);
 }
 
-Status PointNumbering::roundPoints() {
-	curve_.rounded.resize(curve_.pointCount());
-	return parallelFor(curve_.pointCount(), 128, arrangement_.options.threads, monitor_,
-	                   [&](std::size_t begin, std::size_t end) {
-		                   for (std::size_t p = begin; p < end; ++p) {
-			                   ExactPoint point = exactPoint(
-			                       arrangement_, arrangement_.vertexOf(makeId<PointTag>(p)));
-			                   roundPoint(point);
-			                   curve_.rounded[p] = point.rounded;
-		                   }
-	                   });
+Status roundPoints(Arrangement& arrangement, Monitor& monitor) {
+	Curve& curve = arrangement.curve;
+	curve.rounded.resize(curve.pointCount());
+	const auto roundSome = [&](std::size_t begin, std::size_t end) {
+		for (std::size_t p = begin; p < end; ++p) {
+			ExactPoint point = exactPoint(arrangement, arrangement.vertexOf(makeId<PointTag>(p)));
+			roundPoint(point);
+			curve.rounded[p] = point.rounded;
+		}
+	};
+	return parallelFor(curve.pointCount(), 128, arrangement.options.threads, monitor, roundSome);
 }
 
-Status PointNumbering::collectTouchedFaces() {
-	std::vector<FaceId>& faces = curve_.touchedFaces;
-	faces.reserve(2 * contacts_.pairs.size());
-	for (const NamedContact& contact : contacts_.pairs) {
+Status collectTouchedFaces(Arrangement& arrangement, const Contacts& contacts, Monitor& monitor) {
+	std::vector<FaceId>& faces = arrangement.curve.touchedFaces;
+	faces.reserve(2 * contacts.pairs.size());
+	for (const NamedContact& contact : contacts.pairs) {
 		faces.push_back(contact.a);
 		faces.push_back(contact.b);
 	}
-	const Status status = sort(
-	    faces, mesh_.triangles.size(), [](FaceId f) { return f.value; }, std::less<FaceId>());
+	const auto keyOf = [](FaceId f) { return f.value; };
+	const Status status = sortNumbered(faces, arrangement.mesh.triangles.size(), keyOf,
+	                                   std::less<FaceId>(), arrangement.options, monitor);
 	faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
 	return status;
 }
@@ -112,12 +105,10 @@ Status PointNumbering::collectTouchedFaces() {
 
 Status numberCurvePoints(Arrangement& arrangement, const Contacts& contacts, Monitor& monitor,
                          std::vector<VertexId>& vertexOfName) {
-	PointNumbering numbering(arrangement, contacts, monitor, vertexOfName);
-	Status status = numbering.numberPoints();
-	if (status.ok()) {
-		status = numbering.roundPoints();
-	}
-	return status.ok() ? numbering.collectTouchedFaces() : status;
+	return inOrder([&] { return checkContacts(contacts, arrangement.options); },
+	               [&] { return numberPoints(arrangement, contacts, monitor, vertexOfName); },
+	               [&] { return roundPoints(arrangement, monitor); },
+	               [&] { return collectTouchedFaces(arrangement, contacts, monitor); });
 }
 
 }  // namespace index_boolean

@@ -16,7 +16,8 @@ namespace index_boolean {
 
 // Fills names, rounded, onOther and touchedFaces of arrangement.curve.
 // \param vertexOfName replaced; per name in the contacts, the vertex or point it stands for
-// \return Ok, Cancelled, OutOfMemory, InternalError
+// \return Ok, Cancelled, OutOfMemory, InternalError; TooLarge if contacts, or points with the input
+//         vertices, are more than options.mostElements
 // Complexity: O(c log c) for c contacts.
 Status numberCurvePoints(Arrangement& arrangement, const Contacts& contacts, Monitor& monitor,
                          std::vector<VertexId>& vertexOfName);

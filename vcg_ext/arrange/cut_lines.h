@@ -13,10 +13,12 @@
 
 namespace index_boolean {
 
-// Fills the rest of arrangement.curve.
+// Fills cutEdges, pointsOnEdges, segments, faceSegments, faceDiagonals and irregular of
+// arrangement.curve.
 // \param vertexOfName per name in the contacts, as curve_points.h numbers them
-// \return Ok, Cancelled, OutOfMemory, InternalError; SelfIntersecting if two faces of one operand
-//         pierce an edge in one point
+// \return Ok, Cancelled, OutOfMemory, InternalError; TooLarge if points on edges, their intervals,
+//         or lines are more than numbers of 32 bits tell; SelfIntersecting if two faces of one
+//         operand pierce an edge in one point
 // Complexity: O(c log c) for c contacts.
 Status findCutLines(Arrangement& arrangement, const Contacts& contacts,
                     const std::vector<VertexId>& vertexOfName, Monitor& monitor);
