@@ -15,7 +15,8 @@
 namespace index_boolean {
 
 // Fills arrangement.refinement from arrangement.curve.
-// \return Ok, Cancelled, OutOfMemory; SelfIntersecting if the segments of a face cross or meet
+// \return Ok, Cancelled, OutOfMemory; TooLarge if pieces, their corners or label nodes are more
+//         than their numbers can tell; SelfIntersecting if the segments of a face cross or meet
 //         outside their ends, which they do only where an operand touches itself
 // Complexity: O(k log k) for k points and segments, the faces in parallel.
 Status retriangulate(Arrangement& arrangement, Monitor& monitor);

@@ -1,0 +1,99 @@
+// SPDX-FileCopyrightText: 2026 The Index Boolean authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Rounded coordinates are asked first; what they leave in doubt, the exact points decide.
+#include "vcg_ext/arrange/face_points.h"
+
+#include "vcg_ext/arrange/places.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace index_boolean {
+
+bool FacePoints::collect(const FaceLines& lines) {
+	points_.clear();
+	for (int i = 0; i < 3; ++i) {
+		const std::vector<VertexId>& side = lines.sides[static_cast<std::size_t>(i)].points;
+		const auto onEdge = static_cast<std::uint8_t>(1 << i);
+		const auto atCorner = static_cast<std::uint8_t>(onEdge | 1 << previousCorner(i));
+		points_.push_back({side.front(), atCorner});
+		for (std::size_t k = 1; k + 1 < side.size(); ++k) {
+			points_.push_back({side[k], onEdge});
+		}
+	}
+	borderCount_ = points_.size();
+	for (const FaceSegment& s : lines.segments) {
+		const Segment& segment = index_boolean::at(arrangement_.curve.segments, s.segment);
+		points_.push_back({segment.begin, 0});
+		points_.push_back({segment.end, 0});
+	}
+	// Of equal ids the entry from the border comes first and stays.
+	std::sort(points_.begin(), points_.end(), [](const FacePoint& a, const FacePoint& b) {
+		return a.id != b.id ? a.id < b.id : a.onEdges > b.onEdges;
+	});
+	bool isBorderSimple = true;
+	const auto isSame = [&isBorderSimple](const FacePoint& a, const FacePoint& b) {
+		const bool isOnce = a.onEdges == 0 || b.onEdges == 0;
+		isBorderSimple = isBorderSimple && (a.id != b.id || isOnce);
+		return a.id == b.id;
+	};
+	points_.erase(std::unique(points_.begin(), points_.end(), isSame), points_.end());
+	return isBorderSimple;
+}
+
+ExactPoint FacePoints::exact(std::uint32_t i) const {
+	return exactPoint(arrangement_, points_[i].id);
+}
+
+// Whether a comes before b in lexicographic order. Rounding is monotone: rounded coordinates that
+// differ have the order of the exact ones.
+bool FacePoints::isBefore(std::uint32_t a, std::uint32_t b) const {
+	if (rounded_[a].x.value != rounded_[b].x.value) {
+		return rounded_[a].x.value < rounded_[b].x.value;
+	}
+	const ExactPoint p = exact(a), q = exact(b);
+	const int order = compareCoordinate(p, q, nextCorner(axis_));
+	return order != 0 ? order < 0 : compareCoordinate(p, q, previousCorner(axis_)) < 0;
+}
+
+bool FacePoints::rank(int axis) {
+	axis_ = axis;
+	rounded_.clear();
+	for (const FacePoint& p : points_) {
+		const bool isExact = !arrangement_.isCurvePoint(p.id);
+		rounded_.emplace_back(arrangement_.coordinates(p.id), isExact, axis);
+	}
+	order_.resize(points_.size());
+	std::iota(order_.begin(), order_.end(), 0u);
+	const auto before = [this](std::uint32_t a, std::uint32_t b) { return isBefore(a, b); };
+	std::sort(order_.begin(), order_.end(), before);
+	for (std::size_t i = 0; i + 1 < order_.size(); ++i) {
+		if (!before(order_[i], order_[i + 1])) {
+			return false;
+		}
+	}
+	rankOf_.resize(order_.size());
+	for (std::uint32_t rank = 0; rank < order_.size(); ++rank) {
+		rankOf_[order_[rank]] = rank;
+	}
+	return true;
+}
+
+std::uint32_t FacePoints::rankOf(VertexId id) const {
+	const auto it =
+	    std::lower_bound(points_.begin(), points_.end(), id,
+	                     [](const FacePoint& p, VertexId wanted) { return p.id < wanted; });
+	return rankOf_[static_cast<std::size_t>(it - points_.begin())];
+}
+
+int FacePoints::operator()(std::uint32_t a, std::uint32_t b, std::uint32_t c) const {
+	const std::uint32_t i = order_[a], j = order_[b], k = order_[c];
+	if ((points_[i].onEdges & points_[j].onEdges & points_[k].onEdges) != 0) {
+		return 0;
+	}
+	const int sign = orient2d(rounded_[i], rounded_[j], rounded_[k]);
+	return sign != kUnknownSign ? sign : orient2d(exact(i), exact(j), exact(k), axis_);
+}
+
+}  // namespace index_boolean

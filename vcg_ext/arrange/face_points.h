@@ -1,0 +1,65 @@
+// SPDX-FileCopyrightText: 2026 The Index Boolean authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// in: the lines of one face; out: the points of its planar problem, ranked from left to right, and
+// their orientation. Guarantee: exact; nothing else asks geometry when a face is cut.
+#pragma once
+
+#include "vcg_ext/arrange/face_lines.h"
+#include "vcg_ext/exact/exact_sign.h"
+#include "vcg_ext/exact/planar_sweep.h"
+
+#include <vector>
+
+namespace index_boolean {
+
+// A point of the planar problem and the face's edges that it lies on, as bits.
+struct FacePoint {
+	VertexId id;
+	std::uint8_t onEdges;
+
+	bool isCorner() const { return (onEdges & (onEdges - 1)) != 0; }
+};
+
+// The points of one face after another, in memory that is used again. A rank is a point's place in
+// lexicographic order of the exact coordinates, projected along an axis.
+class FacePoints : public PlanarOrientation {
+public:
+	// Borrows the arrangement.
+	explicit FacePoints(const Arrangement& arrangement) : arrangement_(arrangement) {}
+
+	// Replaces the points by the face's corners, the points on its edges and the ends of its
+	// segments, each once. They have no ranks yet. \return false if two points of the border have
+	// one name. Throws std::bad_alloc. O(n log n).
+	bool collect(const FaceLines& lines);
+
+	// \param axis along which to project, as projectionAxis finds it
+	// \return false if two points lie in one place: their names differ, so an operand touches
+	//         itself there. Throws std::bad_alloc. O(n log n).
+	bool rank(int axis);
+
+	std::size_t size() const { return points_.size(); }
+	std::size_t borderCount() const { return borderCount_; }  // of points on the face's edges
+	const FacePoint& at(std::uint32_t rank) const { return points_[order_[rank]]; }
+
+	// \pre one of the points. O(log n).
+	std::uint32_t rankOf(VertexId id) const;
+
+	// The orientation of three points by rank, see PlanarOrientation. Three on one edge of the
+	// face are collinear by name.
+	int operator()(std::uint32_t a, std::uint32_t b, std::uint32_t c) const override;
+
+private:
+	bool isBefore(std::uint32_t a, std::uint32_t b) const;
+	ExactPoint exact(std::uint32_t i) const;
+
+	const Arrangement& arrangement_;
+	int axis_ = 0;
+	std::size_t borderCount_ = 0;
+	std::vector<FacePoint> points_;      // by id
+	std::vector<PlanarPoint> rounded_;   // of each
+	std::vector<std::uint32_t> order_;   // by rank: which of the points it is
+	std::vector<std::uint32_t> rankOf_;  // of each
+};
+
+}  // namespace index_boolean
