@@ -122,6 +122,19 @@ Quotient<N> quotient(const ExactPoint& p) {
 	return {p.by[0], {N(0), N(0), N(0)}, N(1)};
 }
 
+template <class N>
+Vector<N> normalOf(const std::array<const Point*, 3>& plane) {
+	return cross(difference<N>(*plane[1], *plane[0]), difference<N>(*plane[2], *plane[0]));
+}
+
+// The value behind orient3d, times the point's denominator.
+template <class N>
+N distanceFrom(const std::array<const Point*, 3>& plane, const Vector<N>& normal,
+               const Quotient<N>& p) {
+	return dot(normal, difference<N>(*p.base, *plane[0])) * p.denominator +
+	       dot(normal, p.numerator);
+}
+
 // A point as base + offset. \pre not of form Explicit
 struct Offset {
 	const Point* base;
@@ -376,26 +389,6 @@ int orient2d(const Point& a, const Point& b, const Point& c, int axis) {
 	});
 }
 
-int orient2d(const Point& a, const Point& b, const MeanPoint& p, int axis) {
-	return decideSign(Predicate::Orient2d, [&](auto tag) {
-		using N = typename decltype(tag)::Type;
-		const auto term = [&](std::size_t i) {
-			return N(p.weights[i]) * orient2dValue<N>(a, b, *p.of[i], axis);
-		};
-		return (term(0) + term(1) + term(2)).sign();
-	});
-}
-
-int orient3d(const Point& a, const Point& b, const Point& c, const MeanPoint& p) {
-	return decideSign(Predicate::Orient3d, [&](auto tag) {
-		using N = typename decltype(tag)::Type;
-		const auto term = [&](std::size_t i) {
-			return N(p.weights[i]) * orient3dValue<N>(a, b, c, *p.of[i]);
-		};
-		return (term(0) + term(1) + term(2)).sign();
-	});
-}
-
 ExactPoint ExactPoint::explicitPoint(const Point& p) {
 	ExactPoint point = make(Form::Explicit, 0);
 	point.by[0] = &p;
@@ -521,19 +514,27 @@ int orient2d(const ExactPoint& a, const ExactPoint& b, const ExactPoint& c, int 
 	});
 }
 
-int compareSlopes(const std::array<const Point*, 3>& a, const std::array<const Point*, 3>& b,
-                  int axis, int along) {
+int orient3d(const std::array<const Point*, 3>& plane, const ExactPoint& p) {
+	if (p.form == ExactPoint::Form::Explicit) {
+		return orient3d(*plane[0], *plane[1], *plane[2], *p.by[0]);
+	}
+	return decideSign(Predicate::Orient3d, [&](auto tag) {
+		using N = typename decltype(tag)::Type;
+		const Quotient<N> q = quotient<N>(p);
+		return signProduct(distanceFrom(plane, normalOf<N>(plane), q).sign(), q.denominator.sign());
+	});
+}
+
+int planeOrder(const std::array<const Point*, 3>& a, const std::array<const Point*, 3>& b,
+               const ExactPoint& p, int axis) {
 	return decideSign(Predicate::Slopes, [&](auto tag) {
 		using N = typename decltype(tag)::Type;
-		const auto normalOf = [](const std::array<const Point*, 3>& plane) {
-			return cross(difference<N>(*plane[1], *plane[0]), difference<N>(*plane[2], *plane[0]));
-		};
-		const auto up = static_cast<std::size_t>(axis);
-		const auto k = static_cast<std::size_t>(along);
-		const Vector<N> m = normalOf(a);
-		const Vector<N> n = normalOf(b);
-		const int weights = signProduct(m[up].sign(), n[up].sign());
-		return signProduct((n[k] * m[up] - m[k] * n[up]).sign(), weights);
+		const auto k = static_cast<std::size_t>(axis);
+		const Quotient<N> q = quotient<N>(p);
+		const Vector<N> m = normalOf<N>(a);
+		const Vector<N> n = normalOf<N>(b);
+		const N order = distanceFrom(b, n, q) * m[k] - distanceFrom(a, m, q) * n[k];
+		return signProduct(order.sign(), q.denominator.sign());
 	});
 }
 

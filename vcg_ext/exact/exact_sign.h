@@ -86,16 +86,6 @@ int exactVolumeSign(const Points& points, const Triangle* begin, const Triangle*
 // against that axis.
 int orient2d(const Point& a, const Point& b, const Point& c, int axis);
 
-// A point as a weighted mean of three others. \pre the weights' sum is positive
-struct MeanPoint {
-	std::array<const Point*, 3> of;
-	std::array<double, 3> weights;  // small integers
-};
-
-// As orient2d and orient3d above, for a mean in the last place; both are linear in it.
-int orient2d(const Point& a, const Point& b, const MeanPoint& p, int axis);
-int orient3d(const Point& a, const Point& b, const Point& c, const MeanPoint& p);
-
 // A point as the input simplices that define it; borrowed pointers into the input's points.
 //   Explicit     by[0]
 //   LinePlane    line by[0] by[1], plane by[2] by[3] by[4]
@@ -134,6 +124,9 @@ int compareCoordinate(const ExactPoint& a, const ExactPoint& b, int axis);
 // As orient2d above, for any points (whose rounded coordinates are filled).
 int orient2d(const ExactPoint& a, const ExactPoint& b, const ExactPoint& c, int axis);
 
+// As orient3d above, for any point. Degree 6 for one of form LinePlane.
+int orient3d(const std::array<const Point*, 3>& plane, const ExactPoint& p);
+
 // A point in the projection along an axis, as far as its rounded coordinates tell.
 struct PlanarPoint {
 	Bounded x, y;  // along the axes after and before the one projected along
@@ -154,10 +147,12 @@ inline PlanarPoint::PlanarPoint(const Point& rounded, bool isExact, int axis)
 // As orient2d above, or kUnknownSign.
 int orient2d(const PlanarPoint& a, const PlanarPoint& b, const PlanarPoint& c);
 
-// Compares how fast two planes rise towards `axis` with the coordinate `along`: -1, 0, +1.
-// \pre neither plane contains the direction of `axis`
-int compareSlopes(const std::array<const Point*, 3>& a, const std::array<const Point*, 3>& b,
-                  int axis, int along);
+// Tells which of two planes a line along an axis meets first: with D the value behind orient3d and
+// n the normal, the sign of D_b(p) n_a[axis] - D_a(p) n_b[axis], for p on the line. Times the signs
+// of n_a[axis] and n_b[axis], if neither is zero: -1 if the line comes to a first, 0 if it meets
+// both in one place, +1 if it comes to b first.
+int planeOrder(const std::array<const Point*, 3>& a, const std::array<const Point*, 3>& b,
+               const ExactPoint& p, int axis);
 
 // The axis along which a triangle is projected: that of the largest component of its normal, as
 // computed from its corners in lexicographic order, so that it depends on the corners only.

@@ -2,11 +2,33 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Sides of sub-surfaces that face the same part of space are united: around each loop, the facing
-// sides of neighbouring half-planes; along a line through each part that no edge joins to others,
-// the facing sides of neighbouring hits. What is united with nothing beyond the ends of such a line
-// is bounded.
+// sides of neighbouring half-planes; then each *part*, what edges join, is united with others by a
+// line upwards from its top, and with the outside if nothing lies there. What is united with
+// nothing is bounded.
+//
+// Why one line a part is enough. The sides of a part P that edges have united are one set for each
+// component of space without P, in particular one, its outer set, for the unbounded component (P
+// hangs together across edges, so around a vertex, too, the sides between two of its umbrellas are
+// one set elsewhere). The top of P is its vertex that comes last in exact lexicographic order. The
+// line starts inside a face at the top, infinitely near to it, and is united with, in order, all
+// faces whose planes hold the top and the first other one. All that it meets but for P and other
+// parts with the same top has a higher top, since going up raises a place in that order.
+// Add the parts in groups of equal tops, from the highest on. Let P be of the group, R the part of
+// space among all parts so far into which its outer set faces, and follow the line from where it
+// last leaves P. All P's points lie lower, so it leaves P into R. Whatever it then enters belongs
+// to the group or to the parts before. While it is near the top, all sides between neighbours are
+// united, so going through a part within R it comes out on the set on which it went in, still in
+// R. So one of these comes to pass:
+//  - it leaves R through the set that encloses R: P is united with that;
+//  - it ends its way near the top inside a part within R. That is not of the group, nothing of
+//    which lies higher; so its top is higher, and it was united with R's other sets before;
+//  - it ends its way near the top in R. The first face beyond belongs to a part before, and its
+//    lower side faces into R; or there is none, and R is the outside.
+// So P's outer set is united with one that faces into R, and by induction all that face into R are
+// united. (Without the tops it would not do: of two linked rings each may lie above the other.)
 #include "vcg_ext/parts/sub_blocks.h"
 
+#include "vcg_ext/arrange/places.h"
 #include "vcg_ext/arrange/radial_order.h"
 #include "vcg_ext/arrange/self_intersecting.h"
 #include "vcg_ext/base/parallel.h"
@@ -14,7 +36,6 @@
 #include "vcg_ext/parts/line_hits.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace index_boolean {
 
@@ -37,7 +58,9 @@ private:
 	Status uniteAtLoops();
 	Status uniteAround(const PartingEdge& edge);
 	Status uniteAlongLines();
-	bool findLine(const std::vector<std::uint32_t>& faces, AxisLine& line) const;
+	Status findTops(std::vector<LineStart>& tops);
+	LineStart topOf(std::uint32_t begin, std::uint32_t end) const;
+	bool isHigher(LineStart a, LineStart b) const;
 	void numberBlocks();
 	void fillBlocks();
 	Status findWindings();
@@ -132,60 +155,83 @@ Status Assembler::uniteAtLoops() {
 	return status;
 }
 
-// A line that meets the first of the faces for which one is found.
-bool Assembler::findLine(const std::vector<std::uint32_t>& faces, AxisLine& line) const {
-	for (const std::uint32_t face : faces) {
-		const Triangle& t = complex_.faces[face].corners;
-		std::array<Point, 4> places{};  // the centre and the corners, as rounded
-		for (std::size_t corner = 0; corner < 3; ++corner) {
-			places[corner + 1] = arrangement_.coordinates(t[corner]);
-			for (std::size_t k = 0; k < 3; ++k) {
-				places[0][k] += places[corner + 1][k] / 3;
-			}
-		}
-		for (line.axis = 0; line.axis < 3; ++line.axis) {
-			for (const Point& place : places) {
-				line.place = place;
-				if (meets(arrangement_, line, t) != 0) {
-					return true;
-				}
-			}
+bool Assembler::isHigher(LineStart a, LineStart b) const {
+	const VertexId v = complex_.faces[a.face].corners[a.corner];
+	const VertexId w = complex_.faces[b.face].corners[b.corner];
+	const double height = arrangement_.coordinates(v)[kLineAxis];
+	const double other = arrangement_.coordinates(w)[kLineAxis];
+	if (height != other || v == w) {
+		return height > other;  // rounding keeps the order
+	}
+	const ExactPoint p = exactPoint(arrangement_, v), q = exactPoint(arrangement_, w);
+	int order = 0;
+	for (int axis = 0; axis < 3 && order == 0; ++axis) {
+		order = compareCoordinate(p, q, axis);
+	}
+	return order > 0;
+}
+
+// The top of surfaces_.faces[begin .. end).
+LineStart Assembler::topOf(std::uint32_t begin, std::uint32_t end) const {
+	LineStart top{surfaces_.faces[begin], 0};
+	for (std::uint32_t i = begin; i < end; ++i) {
+		for (std::uint32_t corner = 0; corner < 3; ++corner) {
+			const LineStart other{surfaces_.faces[i], corner};
+			top = isHigher(other, top) ? other : top;
 		}
 	}
-	return false;
+	return top;
+}
+
+// One for each part, in the order of their smallest sub-surface.
+Status Assembler::findTops(std::vector<LineStart>& tops) {
+	constexpr std::size_t kGrain = 1 << 14;
+	struct PartTop {
+		std::uint32_t part;
+		LineStart top;
+	};
+	const std::size_t count = surfaces_.faces.size();
+	std::vector<std::vector<PartTop>> chunks(chunkCount(count, kGrain));
+	const auto find = [&](std::size_t chunk, std::size_t begin, std::size_t end) {
+		for (auto first = static_cast<std::uint32_t>(begin); first < end;) {
+			const std::uint32_t s = surfaceOf(surfaces_.faces[first]);
+			const SubSurface& surface = surfaces_.all[s];
+			const std::uint32_t last =
+			    std::min(static_cast<std::uint32_t>(end), surface.firstFace + surface.faceCount);
+			chunks[chunk].push_back({parts_.root(s), topOf(first, last)});
+			first = last;
+		}
+	};
+	const Status status =
+	    parallelForChunks(count, kGrain, arrangement_.options.threads, monitor_, find);
+	constexpr std::uint32_t kNone = 0xffffffffu;
+	std::vector<std::uint32_t> number(surfaces_.all.size(), kNone);  // per root of a part
+	for (const std::vector<PartTop>& chunk : chunks) {
+		for (const PartTop& found : chunk) {
+			if (number[found.part] == kNone) {
+				number[found.part] = static_cast<std::uint32_t>(tops.size());
+				tops.push_back(found.top);
+			}
+			LineStart& top = tops[number[found.part]];
+			top = isHigher(found.top, top) ? found.top : top;
+		}
+	}
+	return status;
 }
 
 Status Assembler::uniteAlongLines() {
-	std::vector<AxisLine> lines;
-	std::vector<std::vector<std::uint32_t>> faces(surfaces_.all.size());
-	Status status;
-	for (std::uint32_t s = 0; s < surfaces_.all.size(); ++s) {
-		const SubSurface& surface = surfaces_.all[s];
-		const auto first = surfaces_.faces.begin() + surface.firstFace;
-		std::vector<std::uint32_t>& all = faces[parts_.root(s)];
-		all.insert(all.end(), first, first + surface.faceCount);
-	}
-	for (const std::vector<std::uint32_t>& part : faces) {
-		AxisLine line{};
-		if (part.empty()) {
-			continue;
-		}
-		if (!findLine(part, line)) {
-			status.code = StatusCode::InternalError;
-			return status;
-		}
-		lines.push_back(line);
-	}
+	std::vector<LineStart> tops;
 	std::vector<LineHit> hits;
-	status = castLines(arrangement_, complex_, lines, monitor_, hits);
+	Status status = findTops(tops);
+	if (status.ok()) {
+		status = findLineHits(arrangement_, complex_, tops, monitor_, hits);
+	}
 	for (std::size_t i = 0; i < hits.size() && status.ok(); ++i) {
-		const bool isFirst = i == 0 || hits[i - 1].line != hits[i].line;
-		const bool isLast = i + 1 == hits.size() || hits[i + 1].line != hits[i].line;
-		const std::uint32_t below = sideOf(hits[i].face, hits[i].facesUp);
-		const std::uint32_t above = sideOf(hits[i].face, !hits[i].facesUp);
-		if (isFirst) {
-			sides_.unite(below, outside_);
+		if (hits[i].isBeyond) {
+			continue;  // what lies above it is not looked at
 		}
+		const bool isLast = i + 1 == hits.size() || hits[i + 1].line != hits[i].line;
+		const std::uint32_t above = sideOf(hits[i].face, !hits[i].facesUp);
 		sides_.unite(above, isLast ? outside_ : sideOf(hits[i + 1].face, hits[i + 1].facesUp));
 	}
 	return status;

@@ -13,7 +13,6 @@
 #include "vcg_ext/solids/winding_rays.h"
 
 #include <algorithm>
-#include <numeric>
 
 namespace index_boolean {
 
@@ -39,7 +38,7 @@ private:
 	Status labelBySegments();
 	Status labelBesides(std::size_t first, std::size_t last);
 	Status labelByRays();
-	Status labelClasses(OperandId operand, std::vector<RayQuery>& queries);
+	Status labelClasses(OperandId operand, std::vector<WindingQuery>& queries);
 	Status setLabel(NodeId node, Label label, FaceId face);
 	Status fill();
 
@@ -186,27 +185,23 @@ void Labeller::findComponents() {
 
 // Numbers the components of one operand in the order of their first faces.
 struct ComponentList {
-	std::vector<std::uint32_t> ofFace;         // per face of the operand
-	std::vector<std::vector<FaceId>> samples;  // per component: a few of its faces
+	std::vector<std::uint32_t> ofFace;  // per face of the operand
+	std::vector<FaceId> firstFace;      // per component
 };
 
 template <class ComponentOf>
 ComponentList listComponents(const MeshArrays& mesh, OperandId operand, std::size_t nodeCount,
                              ComponentOf&& componentOf) {
-	constexpr std::size_t kSamples = 4;
 	ComponentList list;
 	std::vector<std::uint32_t> number(nodeCount, 0xffffffffu);
 	for (std::uint32_t f = mesh.faceOffsets.begin(operand); f < mesh.faceOffsets.end(operand);
 	     ++f) {
 		std::uint32_t& component = number[componentOf(FaceId{f})];
 		if (component == 0xffffffffu) {
-			component = static_cast<std::uint32_t>(list.samples.size());
-			list.samples.emplace_back();
+			component = static_cast<std::uint32_t>(list.firstFace.size());
+			list.firstFace.push_back({f});
 		}
 		list.ofFace.push_back(component);
-		if (list.samples[component].size() < kSamples) {
-			list.samples[component].push_back({f});
-		}
 	}
 	return list;
 }
@@ -278,45 +273,12 @@ std::vector<int> volumeSigns(const MeshArrays& mesh, OperandId operand,
 	return signs;
 }
 
-// Shoots a ray from each query; those that start on a surface are tried again from other places.
-template <class Retry>
-Status castUntilDecided(const Arrangement& arrangement, OperandId operand,
-                        const std::function<bool(std::size_t, FaceId)>& ignored, Monitor& monitor,
-                        std::vector<RayQuery>& queries, Retry&& retry) {
-	constexpr std::size_t kRounds = 4;
-	std::vector<std::size_t> undecided(queries.size());
-	std::iota(undecided.begin(), undecided.end(), std::size_t{0});
-	for (std::size_t round = 0; round < kRounds && !undecided.empty(); ++round) {
-		std::vector<RayQuery> batch;
-		for (const std::size_t q : undecided) {
-			batch.push_back(round == 0 ? queries[q] : retry(q, round));
-		}
-		const auto ignoredInBatch = [&](std::size_t query, FaceId face) {
-			return ignored && ignored(undecided[query], face);
-		};
-		const Status status = castRays(arrangement, operand, ignoredInBatch, monitor, batch);
-		if (!status.ok()) {
-			return status;
-		}
-		std::vector<std::size_t> left;
-		for (std::size_t i = 0; i < batch.size(); ++i) {
-			queries[undecided[i]].winding = batch[i].winding;
-			queries[undecided[i]].onSurface = batch[i].onSurface;
-			if (batch[i].onSurface) {
-				left.push_back(undecided[i]);
-			}
-		}
-		undecided = std::move(left);
-	}
-	return {};
-}
-
-RayQuery queryInside(FaceId face, std::size_t round) {
-	RayQuery query;
-	query.inside = face;
-	const auto k = static_cast<double>(round + 1);
-	query.weights = {1, k, k * k + 1};
-	return query;
+// Whether the operand's winding number is 0 or 1 on both sides of a place on a component. The other
+// components' number is known; the component's own is that of an embedded one.
+bool isPlacedRight(const WindingQuery& others, int volumeSign) {
+	const int ownBehind = volumeSign > 0 ? 1 : 0;
+	const int behind = others.behind + ownBehind, inFront = others.inFront + ownBehind - 1;
+	return volumeSign != 0 && behind >= 0 && behind <= 1 && inFront >= 0 && inFront <= 1;
 }
 
 // A solid component must lie outside the operand's other components, a cavity inside them, once.
@@ -328,27 +290,23 @@ Status Labeller::checkNesting(OperandId operand) {
 	}
 	const ComponentList list = listComponents(mesh_, operand, components_.size(),
 	                                          [this](FaceId f) { return componentOf(f); });
-	std::vector<RayQuery> queries(list.samples.size());
+	std::vector<WindingQuery> queries(list.firstFace.size());
 	for (std::size_t c = 0; c < queries.size(); ++c) {
-		queries[c].from = at(mesh_.triangles, list.samples[c][0])[0];
+		queries[c].inside = list.firstFace[c];
 	}
 	const std::vector<int> signs = volumeSigns(mesh_, operand, list.ofFace, queries.size());
 	const auto isOwn = [&](std::size_t query, FaceId face) {
 		return list.ofFace[face.value - first] == query;
 	};
-	const auto retry = [&list](std::size_t query, std::size_t round) {
-		const std::vector<FaceId>& samples = list.samples[query];
-		return queryInside(samples[round % samples.size()], round);
-	};
-	Status status = castUntilDecided(arrangement_, operand, isOwn, monitor_, queries, retry);
+	Status status =
+	    findWindings(mesh_, operand, isOwn, arrangement_.options.threads, monitor_, queries);
 	if (!status.ok()) {
 		return status;
 	}
 	std::vector<std::uint8_t> wrong(queries.size());
 	std::size_t wrongCount = 0;
 	for (std::size_t c = 0; c < queries.size(); ++c) {
-		const int expected = signs[c] > 0 ? 0 : 1;
-		wrong[c] = signs[c] == 0 || queries[c].onSurface || queries[c].winding != expected;
+		wrong[c] = isPlacedRight(queries[c], signs[c]) ? 0 : 1;
 		wrongCount += wrong[c];
 	}
 	if (wrongCount == 0) {
@@ -440,20 +398,18 @@ Status Labeller::labelBySegments() {
 }
 
 // Labels the queries' classes by their winding numbers in the other operand.
-Status Labeller::labelClasses(OperandId operand, std::vector<RayQuery>& queries) {
-	const auto retry = [&queries](std::size_t query, std::size_t round) {
-		return queryInside(queries[query].inside, round);
-	};
-	Status status = castUntilDecided(arrangement_, otherOf(operand), {}, monitor_, queries, retry);
+Status Labeller::labelClasses(OperandId operand, std::vector<WindingQuery>& queries) {
+	Status status =
+	    findWindings(mesh_, otherOf(operand), {}, arrangement_.options.threads, monitor_, queries);
 	for (std::size_t i = 0; i < queries.size() && status.ok(); ++i) {
-		const RayQuery& query = queries[i];
+		const WindingQuery& query = queries[i];
 		const bool fromVertex = query.from != VertexId::none();
 		const NodeId node{fromVertex ? query.from.value : nodeOf(query.inside)};
-		if (query.onSurface || query.winding < 0 || query.winding > 1) {
+		if (query.onSurface || query.behind < 0 || query.behind > 1) {
 			status.code = StatusCode::SelfIntersecting;
 		} else {
 			status =
-			    setLabel(node, query.winding == 1 ? Label::Inside : Label::Outside, FaceId::none());
+			    setLabel(node, query.behind == 1 ? Label::Inside : Label::Outside, FaceId::none());
 		}
 		if (status.code == StatusCode::SelfIntersecting) {
 			// Which of the other operand's faces are to blame is not known: all are shown.
@@ -475,7 +431,7 @@ Status Labeller::labelClasses(OperandId operand, std::vector<RayQuery>& queries)
 // then one. And for every class without a label, which has a whole face since no segment bounds it.
 Status Labeller::labelByRays() {
 	for (const OperandId operand : mesh_.operands()) {
-		std::vector<RayQuery> queries;
+		std::vector<WindingQuery> queries;
 		for (std::uint32_t v = mesh_.vertexOffsets.begin(operand);
 		     v < mesh_.vertexOffsets.end(operand); ++v) {
 			if (isFreeVertex(v) && nodes_.root(v) == v) {
