@@ -60,6 +60,7 @@ private:
 	Status uniteAlongLines();
 	Status findTops(std::vector<LineStart>& tops);
 	LineStart topOf(std::uint32_t begin, std::uint32_t end) const;
+	bool isUpright(std::uint32_t face) const;
 	bool isHigher(LineStart a, LineStart b) const;
 	void numberBlocks();
 	void fillBlocks();
@@ -155,12 +156,23 @@ Status Assembler::uniteAtLoops() {
 	return status;
 }
 
+// Whether a face runs along the lines. A line from within it can pass all else by, and so be slow.
+bool Assembler::isUpright(std::uint32_t face) const {
+	const Triangle& t = at(arrangement_.mesh.triangles, complex_.faces[face].source());
+	const Points& points = arrangement_.mesh.points;
+	return orient2d(at(points, t[0]), at(points, t[1]), at(points, t[2]), kLineAxis) == 0;
+}
+
+// Whether a is the better top of a part.
 bool Assembler::isHigher(LineStart a, LineStart b) const {
 	const VertexId v = complex_.faces[a.face].corners[a.corner];
 	const VertexId w = complex_.faces[b.face].corners[b.corner];
+	if (v == w) {
+		return isUpright(b.face) && !isUpright(a.face);
+	}
 	const double height = arrangement_.coordinates(v)[kLineAxis];
 	const double other = arrangement_.coordinates(w)[kLineAxis];
-	if (height != other || v == w) {
+	if (height != other) {
 		return height > other;  // rounding keeps the order
 	}
 	const ExactPoint p = exactPoint(arrangement_, v), q = exactPoint(arrangement_, w);
@@ -177,7 +189,9 @@ LineStart Assembler::topOf(std::uint32_t begin, std::uint32_t end) const {
 	for (std::uint32_t i = begin; i < end; ++i) {
 		for (std::uint32_t corner = 0; corner < 3; ++corner) {
 			const LineStart other{surfaces_.faces[i], corner};
-			top = isHigher(other, top) ? other : top;
+			if (isHigher(other, top)) {
+				top = other;
+			}
 		}
 	}
 	return top;
@@ -213,7 +227,9 @@ Status Assembler::findTops(std::vector<LineStart>& tops) {
 				tops.push_back(found.top);
 			}
 			LineStart& top = tops[number[found.part]];
-			top = isHigher(found.top, top) ? found.top : top;
+			if (isHigher(found.top, top)) {
+				top = found.top;
+			}
 		}
 	}
 	return status;

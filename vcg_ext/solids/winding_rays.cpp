@@ -27,6 +27,18 @@ struct Count {
 	std::atomic<bool> any{false};  // it lies on a face
 };
 
+PlaneCorners planeOf(const MeshArrays& mesh, FaceId face) {
+	const Triangle& t = at(mesh.triangles, face);
+	return {&at(mesh.points, t[0]), &at(mesh.points, t[1]), &at(mesh.points, t[2])};
+}
+
+std::array<ExactPoint, 3> cornersOf(const PlaneCorners& p) {
+	return {ExactPoint::explicitPoint(*p[0]), ExactPoint::explicitPoint(*p[1]),
+	        ExactPoint::explicitPoint(*p[2])};
+}
+
+BoundingBox boxOf(const PlaneCorners& p) { return boxOfThree(*p[0], *p[1], *p[2]); }
+
 // All queries with the lines upwards from them.
 class Rays {
 public:
@@ -39,107 +51,123 @@ public:
 	void finish();
 
 private:
-	int cheapestAxis(OperandId operand) const;
-	AxisLine lineOf(const WindingQuery& query);
+	std::vector<int> cheapestAxes(OperandId operand) const;
+	void addLine(const WindingQuery& query, int axis);
+	void take(FaceId face, const PlaneCorners& plane, std::uint32_t query);
 	const Point& beginOf(const WindingQuery& query) const {
 		return at(mesh_.points, query.from != VertexId::none()
 		                            ? query.from
 		                            : at(mesh_.triangles, query.inside)[0]);
 	}
-	PlaneCorners planeOf(FaceId face) const {
-		const Triangle& t = at(mesh_.triangles, face);
-		return {&at(mesh_.points, t[0]), &at(mesh_.points, t[1]), &at(mesh_.points, t[2])};
-	}
-	static std::array<ExactPoint, 3> cornersOf(const PlaneCorners& p) {
-		return {ExactPoint::explicitPoint(*p[0]), ExactPoint::explicitPoint(*p[1]),
-		        ExactPoint::explicitPoint(*p[2])};
-	}
 
 	const MeshArrays& mesh_;
 	const Ignored& ignored_;
 	std::vector<WindingQuery>& queries_;
-	int axis_;
-	Points moved_;  // where vertices' lines are moved to
-	std::vector<AxisLine> lines_;
-	LineField field_;
+	Points moved_;                 // where vertices' lines are moved to
+	std::vector<AxisLine> lines_;  // per query
+	std::array<LineField, 3> fields_;
+	std::array<std::vector<std::uint32_t>, 3> queriesOf_;  // per line of each field
 	std::vector<Count> counts_;
 };
 
 Rays::Rays(const MeshArrays& mesh, OperandId operand, const Ignored& ignored,
            std::vector<WindingQuery>& queries)
-    : mesh_(mesh), ignored_(ignored), queries_(queries), axis_(cheapestAxis(operand)),
-      counts_(queries.size()) {
-	Points begins;
-	moved_.reserve(2 * queries.size());
-	for (const WindingQuery& query : queries) {
-		lines_.push_back(lineOf(query));
-		begins.push_back(beginOf(query));
+    : mesh_(mesh), ignored_(ignored), queries_(queries), counts_(queries.size()) {
+	const std::vector<int> axes = cheapestAxes(operand);
+	std::array<Points, 3> begins;
+	moved_.reserve(2 * queries.size());  // the lines borrow them
+	for (std::size_t q = 0; q < queries.size(); ++q) {
+		const auto axis = static_cast<std::size_t>(axes[q]);
+		addLine(queries[q], axes[q]);
+		queriesOf_[axis].push_back(static_cast<std::uint32_t>(q));
+		begins[axis].push_back(beginOf(queries[q]));
 	}
-	field_ = LineField(axis_, begins);
+	for (std::size_t axis = 0; axis < 3; ++axis) {
+		fields_[axis] = LineField(static_cast<int>(axis), begins[axis]);
+	}
 }
 
-// The axis along which a few of the faces lie above the fewest queries, so far as boxes tell.
-int Rays::cheapestAxis(OperandId operand) const {
+// Per query the axis along which the fewest of a few faces lie above it, so far as boxes tell; of
+// equal ones, that along which the fewest lie above all queries.
+std::vector<int> Rays::cheapestAxes(OperandId operand) const {
 	constexpr std::size_t kSamples = 64;
 	const std::size_t first = mesh_.faceOffsets.begin(operand);
 	const std::size_t count = mesh_.faceOffsets.size(operand);
 	const std::size_t step = count / kSamples + 1;
-	std::array<std::size_t, 3> cost{};
+	std::vector<std::array<std::size_t, 3>> above(queries_.size());
+	std::array<std::size_t, 3> all{};
 	for (std::size_t f = first; f < first + count; f += step) {
-		const PlaneCorners plane = planeOf(makeId<FaceTag>(f));
-		const BoundingBox box = boxOfThree(*plane[0], *plane[1], *plane[2]);
-		for (const WindingQuery& query : queries_) {
-			const BoundingBox begin{beginOf(query), beginOf(query)};
-			for (int axis = 0; axis < 3; ++axis) {
-				cost[static_cast<std::size_t>(axis)] += mayMeet(axis, begin, box) ? 1 : 0;
+		const BoundingBox box = boxOf(planeOf(mesh_, makeId<FaceTag>(f)));
+		for (std::size_t q = 0; q < queries_.size(); ++q) {
+			const BoundingBox begin{beginOf(queries_[q]), beginOf(queries_[q])};
+			for (std::size_t axis = 0; axis < 3; ++axis) {
+				const std::size_t hit = mayMeet(static_cast<int>(axis), begin, box) ? 1 : 0;
+				above[q][axis] += hit;
+				all[axis] += hit;
 			}
 		}
 	}
-	return static_cast<int>(std::min_element(cost.begin(), cost.end()) - cost.begin());
+	std::vector<int> axes;
+	for (const std::array<std::size_t, 3>& cost : above) {
+		std::array<int, 3> order{0, 1, 2};
+		const auto costOf = [&](int axis) {
+			const auto k = static_cast<std::size_t>(axis);
+			return std::make_pair(cost[k], all[k]);
+		};
+		axes.push_back(*std::min_element(order.begin(), order.end(),
+		                                 [&](int a, int b) { return costOf(a) < costOf(b); }));
+	}
+	return axes;
 }
 
 // A line from a vertex is moved away from it along the two other axes.
-AxisLine Rays::lineOf(const WindingQuery& query) {
+void Rays::addLine(const WindingQuery& query, int axis) {
 	if (query.from == VertexId::none()) {
-		return {axis_, cornersOf(planeOf(query.inside))};
+		lines_.push_back({axis, cornersOf(planeOf(mesh_, query.inside))});
+		return;
 	}
 	const Point& vertex = at(mesh_.points, query.from);
-	for (const int axis : {nextCorner(axis_), previousCorner(axis_)}) {
+	for (const int other : {nextCorner(axis), previousCorner(axis)}) {
 		moved_.push_back(vertex);
-		double& coordinate = moved_.back()[static_cast<std::size_t>(axis)];
+		double& coordinate = moved_.back()[static_cast<std::size_t>(other)];
 		coordinate = std::nextafter(coordinate, coordinate > 0 ? -HUGE_VAL : HUGE_VAL);
 	}
-	return {axis_, cornersOf({&vertex, &moved_[moved_.size() - 2], &moved_.back()})};
+	lines_.push_back({axis, cornersOf({&vertex, &moved_[moved_.size() - 2], &moved_.back()})});
+}
+
+void Rays::take(FaceId face, const PlaneCorners& plane, std::uint32_t query) {
+	if (ignored_ && ignored_(query, face)) {
+		return;
+	}
+	const AxisLine& line = lines_[query];
+	const int facing = meets(cornersOf(plane), line);
+	if (facing == 0) {
+		return;
+	}
+	Count& count = counts_[query];
+	const int side = sideOfPlane(plane, line);
+	if (side == 0) {
+		count.at.fetch_add(facing, std::memory_order_relaxed);
+		count.any.store(true, std::memory_order_relaxed);
+	} else if (side != facing) {
+		count.above.fetch_add(facing, std::memory_order_relaxed);
+	}
 }
 
 void Rays::shoot(FaceId face) {
-	const PlaneCorners plane = planeOf(face);
-	const auto hit = [&](std::uint32_t query) {
-		if (ignored_ && ignored_(query, face)) {
-			return;
-		}
-		const AxisLine& line = lines_[query];
-		const int facing = meets(cornersOf(plane), line);
-		if (facing == 0) {
-			return;
-		}
-		Count& count = counts_[query];
-		const int side = sideOfPlane(plane, line);
-		if (side == 0) {
-			count.at.fetch_add(facing, std::memory_order_relaxed);
-			count.any.store(true, std::memory_order_relaxed);
-		} else if (side != facing) {
-			count.above.fetch_add(facing, std::memory_order_relaxed);
-		}
-	};
-	field_.forEachBelow(boxOfThree(*plane[0], *plane[1], *plane[2]), hit);
+	const PlaneCorners plane = planeOf(mesh_, face);
+	const BoundingBox box = boxOf(plane);
+	for (std::size_t axis = 0; axis < 3; ++axis) {
+		fields_[axis].forEachBelow(
+		    box, [&](std::uint32_t line) { take(face, plane, queriesOf_[axis][line]); });
+	}
 }
 
 void Rays::finish() {
 	for (std::size_t q = 0; q < queries_.size(); ++q) {
 		const int above = counts_[q].above, below = above + counts_[q].at;
 		const bool upwards = queries_[q].from != VertexId::none() ||
-		                     meets(cornersOf(planeOf(queries_[q].inside)), lines_[q]) > 0;
+		                     meets(cornersOf(planeOf(mesh_, queries_[q].inside)), lines_[q]) > 0;
 		queries_[q].inFront = upwards ? above : below;
 		queries_[q].behind = upwards ? below : above;
 		queries_[q].onSurface = counts_[q].any;

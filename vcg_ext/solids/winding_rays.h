@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // in: vertices, or faces, as queries; out: the winding number of closed triangles around each.
-// Guarantee: exact, by lines along whichever axis meets the fewest faces. A query on a surface is
-// known to be there, and has a winding number on either side of it.
+// Guarantee: exact, by lines each along whichever axis meets the fewest faces. A query on a surface
+// is known to be there, and has a winding number on either side of it.
 #pragma once
 
 #include "vcg_ext/base/monitor.h"
