@@ -15,7 +15,6 @@ namespace {
 // A half-plane with what its comparisons need.
 struct Ray {
 	HalfPlane half;
-	OperandId operand;
 	const Triangle* corners;
 	const Point* witness;
 	int axis;         // of the face's projection
@@ -31,8 +30,6 @@ public:
 	// False if there is no witness: the line does not part the face.
 	bool add(const HalfPlane& half);
 	void sort();
-	// Labels all half-planes; see labelAround. Labels are by index, as added.
-	int label(std::vector<Label>& labels) const;
 	const std::vector<RadialPlace>& places() const { return places_; }
 
 private:
@@ -47,7 +44,6 @@ private:
 		                          at(points, (*a.corners)[2]), *b.witness);
 		return a.half.left ? side : -side;
 	}
-	int labelOperand(OperandId operand, std::vector<Label>& labels) const;
 
 	const Arrangement& arrangement_;
 	ExactPoint begin_, end_;
@@ -58,7 +54,6 @@ private:
 bool RadialOrder::add(const HalfPlane& half) {
 	Ray ray{};
 	ray.half = half;
-	ray.operand = arrangement_.mesh.operandOf(half.face);
 	ray.corners = &at(arrangement_.mesh.triangles, half.face);
 	int sign = 0;
 	ray.axis = projectionAxis(*ray.corners, arrangement_.mesh.points, sign);
@@ -85,51 +80,6 @@ void RadialOrder::sort() {
 	sortRadially(rays_.size(), turn, sameSide, places_);
 }
 
-// Labels the half-planes of one operand by those of the other: going round, a left half-plane of
-// the other is entered from behind, inside, and left in front, outside; a right one the other way.
-int RadialOrder::labelOperand(OperandId operand, std::vector<Label>& labels) const {
-	std::vector<RadialPlace> others;
-	for (const RadialPlace& place : places_) {
-		if (rays_[place.index].operand != operand) {
-			others.push_back(place);
-		}
-	}
-	const auto isLeft = [this](const RadialPlace& place) { return rays_[place.index].half.left; };
-	for (std::size_t i = 0; i < others.size(); ++i) {
-		const RadialPlace& next = others[(i + 1) % others.size()];
-		const bool samePlace = others[i].slot == next.slot;  // also if it is the only one
-		if (samePlace || isLeft(others[i]) == isLeft(next)) {
-			return numberOf(otherOf(operand));
-		}
-	}
-	for (const RadialPlace& place : places_) {
-		if (rays_[place.index].operand != operand || others.empty()) {
-			continue;
-		}
-		RadialPlace last = others.back();  // the last one before this ray, going round
-		for (const RadialPlace& other : others) {
-			last = other.slot <= place.slot ? other : last;
-		}
-		Label& label = labels[place.index];
-		if (last.slot == place.slot) {
-			label = isLeft(last) == isLeft(place) ? Label::OnSame : Label::OnOpposite;
-		} else {
-			label = isLeft(last) ? Label::Outside : Label::Inside;
-		}
-	}
-	return -1;
-}
-
-int RadialOrder::label(std::vector<Label>& labels) const {
-	labels.assign(rays_.size(), Label::Unknown);
-	for (const OperandId operand : {kFirst, kSecond}) {
-		if (const int wrong = labelOperand(operand, labels); wrong >= 0) {
-			return wrong;
-		}
-	}
-	return -1;
-}
-
 }  // namespace
 
 bool sortAround(const Arrangement& arrangement, VertexId begin, VertexId end,
@@ -143,23 +93,6 @@ bool sortAround(const Arrangement& arrangement, VertexId begin, VertexId end,
 	order.sort();
 	places = order.places();
 	return true;
-}
-
-int labelAround(const Arrangement& arrangement, const Segment& segment,
-                std::vector<LabelledHalfPlane>& halfPlanes) {
-	RadialOrder order(arrangement, segment.begin, segment.end);
-	for (const LabelledHalfPlane& half : halfPlanes) {
-		if (!order.add(half)) {
-			return 0;
-		}
-	}
-	order.sort();
-	std::vector<Label> labels;
-	const int wrong = order.label(labels);
-	for (std::size_t i = 0; i < halfPlanes.size(); ++i) {
-		halfPlanes[i].label = labels[i];
-	}
-	return wrong;
 }
 
 }  // namespace index_boolean

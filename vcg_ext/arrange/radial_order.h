@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Index Boolean authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// in: the half-planes of faces around one line; out: their cyclic order, and where each lies with
-// respect to the other operand.
+// in: the half-planes of faces around one line; out: their cyclic order.
 // Guarantee: decided by signs of input corners against input planes; half-planes in one place are
 // told from opposite ones exactly. Any contact: crossing, tangential, along edges, coplanar.
 #pragma once
@@ -17,11 +16,6 @@ namespace index_boolean {
 struct HalfPlane {
 	FaceId face;
 	bool left;
-};
-
-struct LabelledHalfPlane : HalfPlane {
-	NodeId region;
-	Label label = Label::Unknown;  // out
 };
 
 // Where one of several half-planes comes in their order around a line. Those in one place have the
@@ -68,15 +62,8 @@ void sortRadially(std::size_t n, Turn&& turn, SameSide&& sameSide, std::vector<R
 
 // Sorts half-planes around the line through two vertices, as sortRadially does.
 // \return false if one of the faces does not reach its side of the line; places then mean nothing
+// Complexity: O(k log k) for k half-planes.
 bool sortAround(const Arrangement& arrangement, VertexId begin, VertexId end,
                 const std::vector<HalfPlane>& halfPlanes, std::vector<RadialPlace>& places);
-
-// Sorts half-planes around a segment and labels each by the other operand's around it.
-// \param halfPlanes all of the segment, of both operands; labelled
-// \return the operand (0 or 1) that contradicts itself there (two of its faces in one place, or
-//         insides that do not alternate), or -1 if all is well
-// Complexity: O(k log k) for k half-planes.
-int labelAround(const Arrangement& arrangement, const Segment& segment,
-                std::vector<LabelledHalfPlane>& halfPlanes);
 
 }  // namespace index_boolean
