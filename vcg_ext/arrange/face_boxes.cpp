@@ -4,15 +4,17 @@
 // in: both operands' triangles; out: boxes near both. First goes what lies beyond the common box,
 // then what shares no cell of a grid with the other operand. The cells are as small as nodes six
 // levels down the octree, where the paper's rule for dead nodes leaves little.
+// The first common box is that of all vertices, the quickest to have. If vertices far away, which
+// no face uses, have blown it up, all that is listed huddles in a few cells: then once more, from
+// the listed faces alone.
 #include "vcg_ext/arrange/face_boxes.h"
 
+#include "vcg_ext/arrange/box_frame.h"
 #include "vcg_ext/base/huge_vector.h"
 #include "vcg_ext/base/parallel.h"
-#include "vcg_ext/exact/bounding_box.h"
 
 #include <algorithm>
 #include <atomic>
-#include <cmath>
 
 namespace index_boolean {
 
@@ -27,38 +29,40 @@ struct FramePoint {
 	std::uint32_t beyond;
 };
 
-// The common box and the map of its coordinates to a cube about the origin, about of size 1.
-struct Frame {
-	BoundingBox box;
-	Point centre;
-	double scale;
-	float halfSize;
+// The common box and its map.
+struct CommonFrame {
+	explicit CommonFrame(const BoundingBox& common) : box(common), cube(makeBoxFrame(common)) {}
 
 	FramePoint map(const Point& point) const {
 		FramePoint result{};
 		for (unsigned axis = 0; axis < 3; ++axis) {
 			const double lo = box.lo[axis];
 			const double hi = box.hi[axis];
-			const double inside = std::min(std::max(point[axis], lo), hi);
-			const auto x = static_cast<float>((inside - centre[axis]) * scale);
-			result.x[axis] = std::min(std::max(x, -halfSize), halfSize);
+			result.x[axis] = cube.map(std::min(std::max(point[axis], lo), hi), axis);
 			result.beyond |= (point[axis] < lo ? 1U : 0U) << (2 * axis);
 			result.beyond |= (point[axis] > hi ? 2U : 0U) << (2 * axis);
 		}
 		return result;
 	}
+
+	BoundingBox box;
+	BoxFrame cube;
 };
 
-Frame makeFrame(const BoundingBox& common) {
-	Frame frame{};
-	frame.box = common;
-	frame.centre = common.centre();
-	int exponent = 0;
-	std::frexp(common.halfSize(), &exponent);
-	const int scaleExponent = std::min(-exponent, 1000);  // a larger power is no double
-	frame.scale = std::ldexp(1.0, scaleExponent);
-	frame.halfSize = static_cast<float>(std::ldexp(1.0, exponent + scaleExponent));
-	return frame;
+// Calls visit(box) with the box of a face, unless it lies beyond one side of the common box.
+template <class Visit>
+void visitBox(const FramePoint& p, const FramePoint& q, const FramePoint& r, std::size_t face,
+              Visit&& visit) {
+	if ((p.beyond & q.beyond & r.beyond) != 0) {
+		return;
+	}
+	FaceBox box{};
+	for (std::size_t axis = 0; axis < 3; ++axis) {
+		box.lo[axis] = std::min(std::min(p.x[axis], q.x[axis]), r.x[axis]);
+		box.hi[axis] = std::max(std::max(p.x[axis], q.x[axis]), r.x[axis]);
+	}
+	box.face = static_cast<std::uint32_t>(face);
+	visit(box);
 }
 
 // The cells that one operand's boxes reach, of 64 along each axis of the cube, a bit each. Threads
@@ -129,10 +133,10 @@ private:
 	float cellsPerUnit_;
 };
 
-// Both operands in the frame.
-class FrameMesh {
+// All faces of both operands but for quiet ones, from vertices that are mapped once.
+class AllFaces {
 public:
-	FrameMesh(const MeshArrays& mesh, const Frame& frame, int threads, Monitor& monitor)
+	AllFaces(const MeshArrays& mesh, const CommonFrame& frame, int threads, Monitor& monitor)
 	    : mesh_(mesh), frame_(frame), threads_(threads), monitor_(monitor) {}
 
 	Status mapVertices() {
@@ -149,83 +153,114 @@ public:
 	template <class Visit>
 	Status forEachBox(OperandId operand, Visit visit) const {
 		const std::size_t first = mesh_.faceOffsets.begin(operand);
-		return parallelForChunks(faceCount(operand), kGrain, threads_, monitor_,
-		                         [&](std::size_t chunk, std::size_t begin, std::size_t end) {
-			                         for (std::size_t f = first + begin; f < first + end; ++f) {
-				                         visitBox(f,
-				                                  [&](const FaceBox& box) { visit(chunk, box); });
-			                         }
-		                         });
+		return parallelForChunks(
+		    count(operand), kGrain, threads_, monitor_,
+		    [&](std::size_t chunk, std::size_t begin, std::size_t end) {
+			    for (std::size_t f = first + begin; f < first + end; ++f) {
+				    if (mesh_.quietTwin(makeId<FaceTag>(f)) == Twin::None) {
+					    const Triangle& t = mesh_.triangles[f];
+					    visitBox(points_[t[0].value], points_[t[1].value], points_[t[2].value], f,
+					             [&](const FaceBox& box) { visit(chunk, box); });
+				    }
+			    }
+		    });
 	}
 
-	// Lists the boxes for which keep(box) answers true.
-	template <class Keep>
-	Status collectBoxes(OperandId operand, Keep keep, HugeVector<FaceBox>& out) const {
-		std::vector<HugeVector<FaceBox>> parts(chunkCount(faceCount(operand), kGrain));
-		const Status status = forEachBox(operand, [&](std::size_t chunk, const FaceBox& box) {
-			if (keep(box)) {
-				parts[chunk].push_back(box);
-			}
-		});
-		std::size_t count = 0;
-		for (const HugeVector<FaceBox>& part : parts) {
-			count += part.size();
-		}
-		out.reserve(count);
-		for (const HugeVector<FaceBox>& part : parts) {
-			out.insert(out.end(), part.begin(), part.end());
-		}
-		return status;
-	}
-
-	std::size_t faceCount(OperandId operand) const { return mesh_.faceOffsets.size(operand); }
+	std::size_t count(OperandId operand) const { return mesh_.faceOffsets.size(operand); }
 
 private:
-	template <class Visit>
-	void visitBox(std::size_t face, Visit visit) const {
-		if (mesh_.quietTwin(makeId<FaceTag>(face)) != Twin::None) {
-			return;
-		}
-		const FramePoint& p = points_[mesh_.triangles[face][0].value];
-		const FramePoint& q = points_[mesh_.triangles[face][1].value];
-		const FramePoint& r = points_[mesh_.triangles[face][2].value];
-		if ((p.beyond & q.beyond & r.beyond) != 0) {
-			return;
-		}
-		FaceBox box{};
-		for (std::size_t axis = 0; axis < 3; ++axis) {
-			box.lo[axis] = std::min(std::min(p.x[axis], q.x[axis]), r.x[axis]);
-			box.hi[axis] = std::max(std::max(p.x[axis], q.x[axis]), r.x[axis]);
-		}
-		box.face = static_cast<std::uint32_t>(face);
-		visit(box);
-	}
-
 	const MeshArrays& mesh_;
-	Frame frame_;
+	const CommonFrame& frame_;
 	int threads_;
 	Monitor& monitor_;
 	HugeVector<FramePoint> points_;
 };
 
+// The faces that have been listed in another frame. They may be few: no vertex else is looked at.
+class ListedFaces {
+public:
+	using Lists = PerOperand<HugeVector<FaceBox>>;
+
+	ListedFaces(const MeshArrays& mesh, Lists listed, int threads, Monitor& monitor)
+	    : mesh_(mesh), listed_(std::move(listed)), threads_(threads), monitor_(monitor) {}
+
+	// Finds the box that both operands' listed faces have in common.
+	Status findCommonBox(BoundingBox& out) const {
+		PerOperand<BoundingBox> boxes;
+		const Status status = forEachOperand(boxes.operands(), [&](OperandId k) {
+			return findBoxOfFaces(
+			    mesh_, count(k), [&](std::size_t i) { return listed_[k][i].face; }, threads_,
+			    monitor_, boxes[k]);
+		});
+		out = commonBox(boxes[kFirst], boxes[kSecond]);
+		return status;
+	}
+
+	// The lists, in a frame in which they are to be looked at or taken back.
+	void setFrame(const CommonFrame& frame) { frame_ = &frame; }
+	Lists release() { return std::move(listed_); }
+
+	// Calls visit(chunk, box) for the boxes of an operand's faces that reach the common box.
+	template <class Visit>
+	Status forEachBox(OperandId operand, Visit visit) const {
+		const auto corner = [&](VertexId v) { return frame_->map(at(mesh_.points, v)); };
+		return parallelForChunks(count(operand), kGrain, threads_, monitor_,
+		                         [&](std::size_t chunk, std::size_t begin, std::size_t end) {
+			                         for (std::size_t i = begin; i < end; ++i) {
+				                         const std::uint32_t face = listed_[operand][i].face;
+				                         const Triangle& t = mesh_.triangles[face];
+				                         visitBox(corner(t[0]), corner(t[1]), corner(t[2]), face,
+				                                  [&](const FaceBox& box) { visit(chunk, box); });
+			                         }
+		                         });
+	}
+
+	std::size_t count(OperandId operand) const { return listed_[operand].size(); }
+
+private:
+	const MeshArrays& mesh_;
+	Lists listed_;
+	const CommonFrame* frame_ = nullptr;
+	int threads_;
+	Monitor& monitor_;
+};
+
+// Lists the boxes for which keep(box) answers true.
+template <class Faces, class Keep>
+Status collectBoxes(const Faces& faces, OperandId operand, Keep keep, HugeVector<FaceBox>& out) {
+	std::vector<HugeVector<FaceBox>> parts(chunkCount(faces.count(operand), kGrain));
+	const Status status = faces.forEachBox(operand, [&](std::size_t chunk, const FaceBox& box) {
+		if (keep(box)) {
+			parts[chunk].push_back(box);
+		}
+	});
+	std::size_t count = 0;
+	for (const HugeVector<FaceBox>& part : parts) {
+		count += part.size();
+	}
+	out.reserve(count);
+	for (const HugeVector<FaceBox>& part : parts) {
+		out.insert(out.end(), part.begin(), part.end());
+	}
+	return status;
+}
+
 // The larger operand's faces are looked at once, the smaller one's twice: to mark its cells, and
 // against the cells of the larger one's faces that are left.
-Status collectNearBoxes(const FrameMesh& faces, FaceBoxes& out) {
+template <class Faces>
+Status collectNearBoxes(const Faces& faces, FaceBoxes& out) {
 	constexpr std::size_t kFew = 2048;  // faces, below which clearing the grids costs more
-	if (faces.faceCount(kFirst) + faces.faceCount(kSecond) < kFew) {
+	if (faces.count(kFirst) + faces.count(kSecond) < kFew) {
 		const auto keepAll = [](const FaceBox&) { return true; };
-		const Status status = faces.collectBoxes(kFirst, keepAll, out.operand[kFirst]);
-		return status.ok() ? faces.collectBoxes(kSecond, keepAll, out.operand[kSecond]) : status;
+		return forEachOperand(out.operand.operands(), [&](OperandId operand) {
+			return collectBoxes(faces, operand, keepAll, out.operand[operand]);
+		});
 	}
-	const OperandId small = faces.faceCount(kFirst) <= faces.faceCount(kSecond) ? kFirst : kSecond;
+	const OperandId small = faces.count(kFirst) <= faces.count(kSecond) ? kFirst : kSecond;
 	const OperandId large = otherOf(small);
 	CellGrid ofSmall(out.halfSize);
 	CellGrid ofLarge(out.halfSize);
-	Status status =
-	    faces.forEachBox(small, [&](std::size_t, const FaceBox& box) { ofSmall.mark(box); });
-	if (!status.ok()) {
-		return status;
-	}
+	const auto markSmall = [&](std::size_t, const FaceBox& box) { ofSmall.mark(box); };
 	const auto markIfNear = [&](const FaceBox& box) {
 		const bool near = ofSmall.meets(box);
 		if (near) {
@@ -233,36 +268,86 @@ Status collectNearBoxes(const FrameMesh& faces, FaceBoxes& out) {
 		}
 		return near;
 	};
-	status = faces.collectBoxes(large, markIfNear, out.operand[large]);
-	if (!status.ok()) {
-		return status;
-	}
 	const auto isNear = [&](const FaceBox& box) { return ofLarge.meets(box); };
-	return faces.collectBoxes(small, isNear, out.operand[small]);
+	return inOrder([&] { return faces.forEachBox(small, markSmall); },
+	               [&] { return collectBoxes(faces, large, markIfNear, out.operand[large]); },
+	               [&] { return collectBoxes(faces, small, isNear, out.operand[small]); });
+}
+
+// Whether what both operands' boxes have in common takes so little of the cube that four of the
+// octree's levels, and of the grid's, tell nothing apart.
+bool isHuddled(const FaceBoxes& boxes) {
+	std::array<float, 3> lo, hi;
+	lo.fill(-boxes.halfSize);
+	hi.fill(boxes.halfSize);
+	for (const HugeVector<FaceBox>& operand : boxes.operand) {
+		std::array<float, 3> low, high;
+		low.fill(boxes.halfSize);
+		high.fill(-boxes.halfSize);
+		for (const FaceBox& box : operand) {
+			for (std::size_t axis = 0; axis < 3; ++axis) {
+				low[axis] = std::min(low[axis], box.lo[axis]);
+				high[axis] = std::max(high[axis], box.hi[axis]);
+			}
+		}
+		for (std::size_t axis = 0; axis < 3; ++axis) {
+			lo[axis] = std::max(lo[axis], low[axis]);
+			hi[axis] = std::min(hi[axis], high[axis]);
+		}
+	}
+	const float longest = std::max({hi[0] - lo[0], hi[1] - lo[1], hi[2] - lo[2]});
+	return longest < boxes.halfSize / 8;
+}
+
+// Lists the faces in a frame of their own while that is worth it: each time the frame has shrunk
+// at least to a half, so that this ends.
+// \param common the common box of the frame in which faces have been listed
+Status narrow(const MeshArrays& mesh, BoundingBox common, int threads, Monitor& monitor,
+              FaceBoxes& boxes) {
+	while (!boxes.operand[kFirst].empty() && !boxes.operand[kSecond].empty() && isHuddled(boxes)) {
+		ListedFaces faces(mesh, std::move(boxes.operand), threads, monitor);
+		BoundingBox smaller;
+		Status status = faces.findCommonBox(smaller);
+		smaller = commonBox(smaller, common);
+		boxes.operand = {};
+		if (!status.ok() || smaller.empty()) {
+			return status;
+		}
+		if (!(smaller.halfSize() < common.halfSize() / 2)) {
+			boxes.operand = faces.release();
+			return status;
+		}
+		common = smaller;
+		const CommonFrame frame(common);
+		faces.setFrame(frame);
+		boxes.halfSize = frame.cube.halfSize;
+		status = collectNearBoxes(faces, boxes);
+		if (!status.ok()) {
+			return status;
+		}
+	}
+	return {};
 }
 
 }  // namespace
 
 Status collectFaceBoxes(const MeshArrays& mesh, int threads, Monitor& monitor, FaceBoxes& out) {
 	out = {};
-	Status status;
 	PerOperand<BoundingBox> boxes;
-	for (const OperandId k : boxes.operands()) {
-		status = findBoundingBox(mesh.points.data() + mesh.vertexOffsets.begin(k),
-		                         mesh.vertexOffsets.size(k), threads, monitor, boxes[k]);
-		if (!status.ok()) {
-			return status;
-		}
-	}
+	Status status = forEachOperand(boxes.operands(), [&](OperandId k) {
+		return findBoundingBox(mesh.points.data() + mesh.vertexOffsets.begin(k),
+		                       mesh.vertexOffsets.size(k), threads, monitor, boxes[k]);
+	});
 	const BoundingBox common = commonBox(boxes[kFirst], boxes[kSecond]);
-	if (common.empty()) {
+	if (!status.ok() || common.empty()) {
 		return status;
 	}
-	const Frame frame = makeFrame(common);
-	FrameMesh faces(mesh, frame, threads, monitor);
-	out.halfSize = frame.halfSize;
-	status = faces.mapVertices();
-	return status.ok() ? collectNearBoxes(faces, out) : status;
+	const CommonFrame frame(common);
+	out.halfSize = frame.cube.halfSize;
+	AllFaces faces(mesh, frame, threads, monitor);
+	return inOrder([&] { return faces.mapVertices(); },
+	               [&] { return collectNearBoxes(faces, out); },
+	               [&] { return narrow(mesh, common, threads, monitor, out); });
 }
 
 }  // namespace index_boolean

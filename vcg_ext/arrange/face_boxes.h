@@ -4,7 +4,8 @@
 // in: both operands' triangles; out: the boxes of the faces that may meet the other operand.
 // Guarantee: for every two faces, one of each operand, whose boxes touch or overlap, both boxes are
 // listed and still touch or overlap. Boxes are floats, relative to the common part of the operands'
-// boxes: the map never swaps two numbers, so it needs no margin to keep boxes together.
+// boxes: the map never swaps two numbers, so it needs no margin to keep boxes together. Vertices
+// that no face uses do not make them coarse, wherever they are.
 #pragma once
 
 #include "vcg_ext/base/monitor.h"

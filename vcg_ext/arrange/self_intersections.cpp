@@ -7,15 +7,14 @@
 // tangle of n faces may have n^2 of them.
 #include "vcg_ext/arrange/self_intersections.h"
 
+#include "vcg_ext/arrange/box_frame.h"
 #include "vcg_ext/arrange/octree_pairs.h"
 #include "vcg_ext/arrange/triangle_contact.h"
 #include "vcg_ext/base/parallel.h"
-#include "vcg_ext/exact/bounding_box.h"
 #include "vcg_ext/exact/exact_sign.h"
 
 #include <algorithm>
 #include <atomic>
-#include <cmath>
 
 namespace index_boolean {
 
@@ -88,55 +87,32 @@ private:
 	std::atomic<bool> contradiction_{false};
 };
 
-// Of the corners of faces: a stray vertex far away shall not make the boxes coarse.
 Status SelfSearch::findBox(BoundingBox& out) const {
-	Points ends(2 * chunkCount(count_, kGrain));
-	const Status status =
-	    parallelForChunks(count_, kGrain, arrangement_.options.threads, monitor_,
-	                      [&](std::size_t chunk, std::size_t begin, std::size_t end) {
-		                      Point lo = at(mesh_.points, mesh_.triangles[first_ + begin][0]);
-		                      Point hi = lo;
-		                      for (std::size_t i = begin; i < end; ++i) {
-			                      for (const VertexId v : mesh_.triangles[first_ + i]) {
-				                      for (std::size_t axis = 0; axis < 3; ++axis) {
-					                      lo[axis] = std::min(lo[axis], at(mesh_.points, v)[axis]);
-					                      hi[axis] = std::max(hi[axis], at(mesh_.points, v)[axis]);
-				                      }
-			                      }
-		                      }
-		                      ends[2 * chunk] = lo;
-		                      ends[2 * chunk + 1] = hi;
-	                      });
-	return status.ok() ? findBoundingBox(ends.data(), ends.size(), 1, monitor_, out) : status;
+	return findBoxOfFaces(
+	    mesh_, count_, [this](std::size_t i) { return first_ + i; }, arrangement_.options.threads,
+	    monitor_, out);
 }
 
-// Boxes as floats about the middle of the operand, whose size is brought near 1. The map never
-// swaps two numbers, so boxes that meet still do.
 Status SelfSearch::collectBoxes(const BoundingBox& box) {
-	int exponent = 0;
-	std::frexp(box.halfSize(), &exponent);
-	const int scaleExponent = std::min(-exponent, 1000);  // a larger power is no double
-	const double scale = std::ldexp(1.0, scaleExponent);
-	const Point centre = box.centre();
-	halfSize_ = static_cast<float>(std::ldexp(1.0, exponent + scaleExponent));
+	const BoxFrame frame = makeBoxFrame(box);
+	halfSize_ = frame.halfSize;
 	boxes_.resize(count_);
-	return parallelFor(
-	    count_, kGrain, arrangement_.options.threads, monitor_,
-	    [&](std::size_t begin, std::size_t end) {
-		    for (std::size_t i = begin; i < end; ++i) {
-			    FaceBox& face = boxes_[i];
-			    face.face = first_ + static_cast<std::uint32_t>(i);
-			    face.lo.fill(halfSize_);
-			    face.hi.fill(-halfSize_);
-			    for (const VertexId v : mesh_.triangles[face.face]) {
-				    for (std::size_t axis = 0; axis < 3; ++axis) {
-					    const double x = (at(mesh_.points, v)[axis] - centre[axis]) * scale;
-					    face.lo[axis] = std::min(face.lo[axis], static_cast<float>(x));
-					    face.hi[axis] = std::max(face.hi[axis], static_cast<float>(x));
-				    }
-			    }
-		    }
-	    });
+	return parallelFor(count_, kGrain, arrangement_.options.threads, monitor_,
+	                   [&](std::size_t begin, std::size_t end) {
+		                   for (std::size_t i = begin; i < end; ++i) {
+			                   FaceBox& face = boxes_[i];
+			                   face.face = first_ + static_cast<std::uint32_t>(i);
+			                   face.lo.fill(halfSize_);
+			                   face.hi.fill(-halfSize_);
+			                   for (const VertexId v : mesh_.triangles[face.face]) {
+				                   for (std::size_t axis = 0; axis < 3; ++axis) {
+					                   const float x = frame.map(at(mesh_.points, v)[axis], axis);
+					                   face.lo[axis] = std::min(face.lo[axis], x);
+					                   face.hi[axis] = std::max(face.hi[axis], x);
+				                   }
+			                   }
+		                   }
+	                   });
 }
 
 // Whether the side of s opposite to a corner has a box apart from that of t.

@@ -17,12 +17,11 @@ namespace {
 
 constexpr std::size_t kGrain = 16384;
 constexpr double kMax = std::numeric_limits<double>::max();
-constexpr BoundingBox kEmptyBox = {{kMax, kMax, kMax}, {-kMax, -kMax, -kMax}};
 
 // The box of those coordinates that `counts` accepts.
 template <class Counts>
 BoundingBox boxOf(const Point* begin, const Point* end, Counts counts) {
-	BoundingBox box = kEmptyBox;
+	BoundingBox box = emptyBox();
 	for (const Point* point = begin; point != end; ++point) {
 		for (std::size_t axis = 0; axis < 3; ++axis) {
 			const double x = (*point)[axis];
@@ -58,21 +57,26 @@ double BoundingBox::halfSize() const {
 	return std::max({hi[0] / 2 - lo[0] / 2, hi[1] / 2 - lo[1] / 2, hi[2] / 2 - lo[2] / 2});
 }
 
+BoundingBox joinedBox(const BoundingBox* boxes, std::size_t count) {
+	BoundingBox joined = emptyBox();
+	for (std::size_t i = 0; i < count; ++i) {
+		for (std::size_t axis = 0; axis < 3; ++axis) {
+			joined.lo[axis] = std::min(joined.lo[axis], boxes[i].lo[axis]);
+			joined.hi[axis] = std::max(joined.hi[axis], boxes[i].hi[axis]);
+		}
+	}
+	return joined;
+}
+
 Status findBoundingBox(const Point* points, std::size_t count, int threads, Monitor& monitor,
                        BoundingBox& out) {
-	std::vector<BoundingBox> parts(chunkCount(count, kGrain), kEmptyBox);
+	std::vector<BoundingBox> parts(chunkCount(count, kGrain), emptyBox());
 	const Status status =
 	    parallelForChunks(count, kGrain, threads, monitor,
 	                      [&](std::size_t chunk, std::size_t begin, std::size_t end) {
 		                      parts[chunk] = finiteBoxOf(points + begin, points + end);
 	                      });
-	out = kEmptyBox;
-	for (const BoundingBox& part : parts) {
-		for (std::size_t axis = 0; axis < 3; ++axis) {
-			out.lo[axis] = std::min(out.lo[axis], part.lo[axis]);
-			out.hi[axis] = std::max(out.hi[axis], part.hi[axis]);
-		}
-	}
+	out = joinedBox(parts.data(), parts.size());
 	return status;
 }
 

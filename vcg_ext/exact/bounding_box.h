@@ -9,6 +9,9 @@
 #include "vcg_ext/base/point.h"
 #include "vcg_ext/base/status.h"
 
+#include <cstddef>
+#include <limits>
+
 namespace index_boolean {
 
 // All points between lo and hi, both included.
@@ -22,7 +25,24 @@ struct BoundingBox {
 
 	// Half of the longest side, without overflow.
 	double halfSize() const;
+
+	// Takes a point in; its coordinates are numbers.
+	void add(const Point& point) {
+		for (std::size_t axis = 0; axis < 3; ++axis) {
+			lo[axis] = point[axis] < lo[axis] ? point[axis] : lo[axis];
+			hi[axis] = point[axis] > hi[axis] ? point[axis] : hi[axis];
+		}
+	}
 };
+
+// The box of no point.
+constexpr BoundingBox emptyBox() {
+	constexpr double kMax = std::numeric_limits<double>::max();
+	return {{kMax, kMax, kMax}, {-kMax, -kMax, -kMax}};
+}
+
+// The box of `count` boxes, which may be empty. O(count).
+BoundingBox joinedBox(const BoundingBox* boxes, std::size_t count);
 
 // The box of `count` points; empty if there are none.
 // \return Ok or Cancelled. Complexity: O(count), in parallel.

@@ -347,6 +347,29 @@ TEST(OctreePairs, verticesWithoutFacesAreIgnored) {
 	EXPECT_EQ(found(shapes::arrays(a, b)), pairs);
 }
 
+// Else all faces would share a few cells, and their pairs would be tested one by one.
+TEST(FaceBoxes, verticesWithoutFacesFarAwayMakeNoBoxCoarse) {
+	Mesh a = shapes::sphere(40, {0, 0, 0}, 1);
+	Mesh b = shapes::sphere(40, {1, 0.2, 0.1}, 1);
+	Monitor monitor;
+	FaceBoxes clean;
+	ASSERT_TRUE(collectFaceBoxes(shapes::arrays(a, b), 0, monitor, clean).ok());
+	EXPECT_LT(clean.operand[kFirst].size(), a.triangles.size() / 2);
+	const Pairs pairs = found(shapes::arrays(a, b));
+	for (const Point& stray : {Point{1e9, 1e9, 1e9}, Point{0, -40, 0}, Point{1e300, -1e-300, 7}}) {
+		Mesh c = a, d = b;
+		c.points.push_back(stray);
+		d.points.push_back(stray);
+		const MeshArrays mesh = shapes::arrays(c, d);
+		FaceBoxes boxes;
+		ASSERT_TRUE(collectFaceBoxes(mesh, 0, monitor, boxes).ok());
+		for (const OperandId k : clean.operand.operands()) {
+			EXPECT_LE(boxes.operand[k].size(), clean.operand[k].size());
+		}
+		EXPECT_EQ(found(mesh), pairs);
+	}
+}
+
 TEST(OctreePairs, listDoesNotDependOnTheThreads) {
 	const Mesh a = shapes::sphere(160, {0, 0, 0}, 1);
 	const MeshArrays mesh = shapes::arrays(a, shapes::sphere(170, {0.1, 0.03, 0.02}, 1));
