@@ -5,13 +5,18 @@
 // Both operands descend through one octree that is never stored: a node is two lists of boxes.
 // All tests are closed, so a pair reaches every leaf that its boxes' overlap reaches; the leaf that
 // holds the overlap's low corner reports it. Leaves are half open, the root has no bounds.
+// No octree parts the faces around a common vertex, but a second one does, which they descend by
+// the directions in which they leave it. In the first one, their pairs are left aside.
 #include "vcg_ext/arrange/octree_pairs.h"
 
+#include "vcg_ext/arrange/common_fans.h"
 #include "vcg_ext/arrange/face_boxes.h"
+#include "vcg_ext/base/groups.h"
 #include "vcg_ext/base/huge_vector.h"
 #include "vcg_ext/base/parallel.h"
 #include "vcg_ext/exact/exact_sign.h"
 
+#include <functional>
 #include <limits>
 #include <new>
 #include <numeric>
@@ -49,6 +54,7 @@ struct Node {
 	std::array<BoxSpan, 2> faces;
 
 	std::size_t size() const { return faces[0].size + faces[1].size; }
+	std::uint64_t pairs() const { return std::uint64_t{faces[0].size} * faces[1].size; }
 };
 
 // Memory for boxes, reused and never initialized.
@@ -203,8 +209,7 @@ bool Split::helps(const Node& node) const {
 		pairs += std::uint64_t{counts_[0][child]} * counts_[1][child];
 		boxes += counts_[0][child] + counts_[1][child];
 	});
-	const std::uint64_t pairsBefore = std::uint64_t{node.faces[0].size} * node.faces[1].size;
-	return pairs <= pairsBefore / 2 || 4 * boxes <= 5 * std::uint64_t{node.size()};
+	return pairs <= node.pairs() / 2 || 4 * boxes <= 5 * std::uint64_t{node.size()};
 }
 
 Node childNode(const Node& node, std::size_t child) {
@@ -252,16 +257,90 @@ void Split::distribute(const Node& node, BoxBuffer& buffer, std::vector<Node>& o
 	}
 }
 
+// How nodes are to be searched.
+struct Search {
+	const Options& options;
+	Monitor& monitor;
+	const CommonFans* fans;  // of which no pair need be visited; null if there is none
+};
+
+// The fan with the most pairs in a node, if these are more than one more split costs; else kNone.
+std::uint32_t widestFan(const CommonFans& fans, const Node& node) {
+	std::array<std::vector<std::uint32_t>, 2> found;  // of each face
+	for (std::size_t k = 0; k < 2; ++k) {
+		for (const FaceBox& box : node.faces[k]) {
+			fans.forEachFan({box.face}, [&](std::uint32_t fan) { found[k].push_back(fan); });
+		}
+		std::sort(found[k].begin(), found[k].end());
+	}
+	std::uint64_t most = kCost * node.size();
+	std::uint32_t widest = CommonFans::kNone;
+	forEachGroup(found[0].begin(), found[0].end(), std::equal_to<std::uint32_t>(),
+	             [&](auto first, auto last) {
+		             const auto others = std::equal_range(found[1].begin(), found[1].end(), *first);
+		             const auto pairs = static_cast<std::uint64_t>(last - first) *
+		                                static_cast<std::uint64_t>(others.second - others.first);
+		             if (pairs > most) {
+			             most = pairs;
+			             widest = *first;
+		             }
+	             });
+	return widest;
+}
+
+// A node from which one fan after another is taken.
+class FanParting {
+public:
+	FanParting(const CommonFans& fans, const Node& node) : fans_(fans), rest_(node) {
+		boxes_.reserve(node.size());
+		for (BoxSpan& faces : rest_.faces) {
+			const FaceBox* const first = boxes_.data() + boxes_.size();
+			boxes_.insert(boxes_.end(), faces.begin(), faces.end());
+			faces.first = first;
+		}
+	}
+
+	// Takes the first operand's faces of a fan out of the node. \return them, with the second
+	// operand's faces that are not of the fan: valid until the next call
+	Node take(std::uint32_t fan) {
+		const auto isOfFan = [&](const FaceBox& box) { return fans_.has(fan, {box.face}); };
+		Node taken = rest_;
+		taken.faces[0].size = moveFirst(rest_.faces[0], isOfFan);
+		taken.faces[1].size =
+		    moveFirst(rest_.faces[1], [&](const FaceBox& box) { return !isOfFan(box); });
+		rest_.faces[0].first += taken.faces[0].size;
+		rest_.faces[0].size -= taken.faces[0].size;
+		return taken;
+	}
+
+	// The node without what has been taken.
+	const Node& rest() const { return rest_; }
+
+private:
+	// \return how many there are of those that are moved to the front
+	template <class IsFirst>
+	std::size_t moveFirst(const BoxSpan& faces, IsFirst&& isFirst) {
+		FaceBox* const first = boxes_.data() + (faces.first - boxes_.data());
+		return static_cast<std::size_t>(std::partition(first, first + faces.size, isFirst) - first);
+	}
+
+	const CommonFans& fans_;
+	HugeVector<FaceBox> boxes_;
+	Node rest_;
+};
+
 // Descends below one node and visits the pairs of all leaves. One object per thread's chunk.
 template <class Visit>
 class Descent {
 public:
-	Descent(const Options& options, Monitor& monitor, Visit visitPair)
-	    : options_(options), monitor_(monitor), visitPair_(visitPair) {}
+	Descent(const Search& search, Visit visitPair)
+	    : options_(search.options), monitor_(search.monitor), fans_(search.fans),
+	      visitPair_(visitPair) {}
 
 	void visit(const Node& node);
 
 private:
+	bool visitWithoutFans(const Node& node);
 	void scan(const Node& node);
 	void scanAll(const Node& node);
 	void sweep(const Node& node);
@@ -270,6 +349,7 @@ private:
 
 	const Options& options_;
 	Monitor& monitor_;
+	const CommonFans* fans_;
 	Visit visitPair_;
 	Split split_;
 	std::array<BoxBuffer, 21> buffers_;           // one per depth
@@ -279,22 +359,22 @@ private:
 };
 
 bool isLeaf(const Node& node, const Options& options) {
-	const std::uint64_t a = node.faces[0].size;
-	const std::uint64_t b = node.faces[1].size;
 	if (node.depth >= std::min(options.octreeMaxDepth, 20)) {
 		return true;
 	}
 	if (options.octreeLeafSize == 0) {
-		return a * b <= kCost * (a + b);
+		return node.pairs() <= kCost * node.size();
 	}
 	const auto leafSize = static_cast<std::uint64_t>(options.octreeLeafSize);
-	return a * b <= leafSize * leafSize;
+	return node.pairs() <= leafSize * leafSize;
 }
 
 template <class Visit>
 void Descent<Visit>::visit(const Node& node) {
 	if (isLeaf(node, options_) || !split_.count(node)) {
-		scan(node);
+		if (!visitWithoutFans(node)) {
+			scan(node);
+		}
 		return;
 	}
 	const auto depth = static_cast<std::size_t>(node.depth);
@@ -309,6 +389,28 @@ void Descent<Visit>::visit(const Node& node) {
 	}
 }
 
+// Visits a node in parts without the pairs of its widest fans. The parts may be worth more splits.
+// \return false if it has no such fan; then nothing has been visited
+template <class Visit>
+bool Descent<Visit>::visitWithoutFans(const Node& node) {
+	if (fans_ == nullptr || node.pairs() <= kCost * node.size()) {
+		return false;
+	}
+	std::uint32_t fan = widestFan(*fans_, node);
+	if (fan == CommonFans::kNone) {
+		return false;
+	}
+	FanParting parting(*fans_, node);
+	for (; fan != CommonFans::kNone && !stopped(); fan = widestFan(*fans_, parting.rest())) {
+		tested_ += node.size();
+		visit(parting.take(fan));
+	}
+	if (!stopped()) {
+		visit(parting.rest());
+	}
+	return true;
+}
+
 template <class Visit>
 bool Descent<Visit>::stopped() {
 	if (tested_ < kPollPairs) {
@@ -320,10 +422,8 @@ bool Descent<Visit>::stopped() {
 
 template <class Visit>
 void Descent<Visit>::scan(const Node& node) {
-	const std::uint64_t a = node.faces[0].size;
-	const std::uint64_t b = node.faces[1].size;
-	tested_ += static_cast<std::size_t>(a + b);
-	if (a * b <= kCost * (a + b)) {
+	tested_ += node.size();
+	if (node.pairs() <= kCost * node.size()) {
 		scanAll(node);
 	} else {
 		sweep(node);
@@ -474,9 +574,10 @@ Status expand(const Options& options, Monitor& monitor, Frontier& frontier) {
 	return status;
 }
 
+using PairLists = std::vector<std::vector<FacePair>>;
+
 // Sorts by a (counting), then by b.
-void sortPairs(const std::vector<std::vector<FacePair>>& parts, std::size_t facesOfA,
-               std::vector<FacePair>& out) {
+void sortPairs(const PairLists& parts, std::size_t facesOfA, std::vector<FacePair>& out) {
 	std::vector<std::size_t> ends(facesOfA + 1, 0);
 	for (const auto& part : parts) {
 		for (const FacePair& pair : part) {
@@ -514,21 +615,25 @@ Status makeFrontier(const Node& root, const Options& options, Monitor& monitor, 
 
 // Visits the pairs below each node i of the frontier with makeVisit(i).
 template <class MakeVisit>
-Status descend(const Frontier& frontier, const Options& options, Monitor& monitor,
-               MakeVisit makeVisit) {
-	return parallelForChunks(frontier.nodes.size(), 1, options.threads, monitor,
+Status descend(const Frontier& frontier, const Search& search, MakeVisit makeVisit) {
+	return parallelForChunks(frontier.nodes.size(), 1, search.options.threads, search.monitor,
 	                         [&](std::size_t i, std::size_t, std::size_t) {
-		                         Descent(options, monitor, makeVisit(i)).visit(frontier.nodes[i]);
+		                         Descent(search, makeVisit(i)).visit(frontier.nodes[i]);
 	                         });
 }
 
 // Keeps the pairs of which neither face's plane parts the faces. Most faces near the other operand
 // lie beside its faces, not across: what goes here is never stored, sorted or looked at again.
+// Pairs of a fan go too.
 class PlaneSieve {
 public:
-	PlaneSieve(const MeshArrays& mesh, std::vector<FacePair>& kept) : mesh_(mesh), kept_(kept) {}
+	PlaneSieve(const MeshArrays& mesh, const CommonFans* fans, std::vector<FacePair>& kept)
+	    : mesh_(mesh), fans_(fans), kept_(kept) {}
 
 	void operator()(FacePair pair) {
+		if (fans_ != nullptr && fans_->share(pair)) {
+			return;
+		}
 		// Pairs come in runs with one face of the first operand.
 		if (pair.a != faceOfFilter_) {
 			faceOfFilter_ = pair.a;
@@ -553,10 +658,45 @@ private:
 	}
 
 	const MeshArrays& mesh_;
+	const CommonFans* fans_;
 	std::vector<FacePair>& kept_;
 	FaceId faceOfFilter_ = FaceId::none();
 	PlaneFilter filter_{{}, {}, {}};
 };
+
+// Adds the pairs of a fan's faces that may meet elsewhere than in its vertex; and as many others as
+// it takes for each face to have a pair, since the vertex is a contact of all of them.
+Status addPairsOfFan(const MeshArrays& mesh, const CommonFan& fan, const Search& search,
+                     PairLists& lists) {
+	std::vector<FacePair>& star = lists.emplace_back();
+	for (const FaceId a : fan.faces[kFirst]) {
+		star.push_back({a, fan.faces[kSecond].front()});
+	}
+	for (const FaceId b : fan.faces[kSecond]) {
+		star.push_back({fan.faces[kFirst].front(), b});
+	}
+	const HugeVector<FaceBox> boxesOfA = boxesOfDirections(mesh, fan, kFirst);
+	const HugeVector<FaceBox> boxesOfB = boxesOfDirections(mesh, fan, kSecond);
+	Frontier frontier;
+	const Status status = makeFrontier(makeRoot(boxesOfA, boxesOfB, kDirectionsHalfSize),
+	                                   search.options, search.monitor, frontier);
+	const std::size_t first = lists.size();
+	lists.resize(first + frontier.nodes.size());
+	const auto makeVisit = [&](std::size_t i) {
+		return [&kept = lists[first + i]](FacePair pair) { kept.push_back(pair); };
+	};
+	return status.ok() ? descend(frontier, search, makeVisit) : status;
+}
+
+// The same for all fans. A pair is added more than once if the faces have two fans in common.
+Status addPairsOfFans(const MeshArrays& mesh, const CommonFans& fans, const Search& search,
+                      PairLists& lists) {
+	Status status;
+	for (std::size_t i = 0; i < fans.fans().size() && status.ok(); ++i) {
+		status = addPairsOfFan(mesh, fans.fans()[i], search, lists);
+	}
+	return status;
+}
 
 // The steps of findPairs, which adds the guard against running out of memory between regions.
 Status findPairsUnguarded(const MeshArrays& mesh, const Options& options, Monitor& monitor,
@@ -566,17 +706,29 @@ Status findPairsUnguarded(const MeshArrays& mesh, const Options& options, Monito
 	if (!status.ok() || boxes.operand[kFirst].empty() || boxes.operand[kSecond].empty()) {
 		return status;
 	}
+	const CommonFans commonFans(mesh, boxes);
+	const CommonFans* const fans = commonFans.empty() ? nullptr : &commonFans;
 	Frontier frontier;
-	status = makeFrontier(makeRoot(boxes.operand[kFirst], boxes.operand[kSecond], boxes.halfSize),
-	                      options, monitor, frontier);
-	if (!status.ok()) {
-		return status;
-	}
-	std::vector<std::vector<FacePair>> parts(frontier.nodes.size());
-	status = descend(frontier, options, monitor,
-	                 [&](std::size_t i) { return PlaneSieve(mesh, parts[i]); });
+	PairLists lists;
+	const auto makeVisit = [&](std::size_t i) { return PlaneSieve(mesh, fans, lists[i]); };
+	status = inOrder(
+	    [&] {
+		    return makeFrontier(
+		        makeRoot(boxes.operand[kFirst], boxes.operand[kSecond], boxes.halfSize), options,
+		        monitor, frontier);
+	    },
+	    [&] {
+		    lists.resize(frontier.nodes.size());
+		    return descend(frontier, {options, monitor, fans}, makeVisit);
+	    },
+	    [&] {
+		    return addPairsOfFans(mesh, commonFans, {options, monitor, nullptr}, lists);
+	    });
 	if (status.ok()) {
-		sortPairs(parts, mesh.faceOffsets.begin(kSecond), out);
+		sortPairs(lists, mesh.faceOffsets.begin(kSecond), out);
+	}
+	if (fans != nullptr) {
+		out.erase(std::unique(out.begin(), out.end()), out.end());
 	}
 	return status;
 }
@@ -606,7 +758,7 @@ Status visitPairsWithin(const HugeVector<FaceBox>& boxes, float halfSize, const 
 		Frontier frontier;
 		const Status status =
 		    makeFrontier(makeRoot(boxes, boxes, halfSize), options, monitor, frontier);
-		return status.ok() ? descend(frontier, options, monitor,
+		return status.ok() ? descend(frontier, {options, monitor, nullptr},
 		                             [&visitOnce](std::size_t) { return visitOnce; })
 		                   : status;
 	} catch (const std::bad_alloc&) {

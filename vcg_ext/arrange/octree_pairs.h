@@ -4,14 +4,16 @@
 // in: both operands' triangles; out: the pairs of faces, one of each operand, that may meet. Also:
 // the pairs of faces of one surface.
 // Guarantee: every two faces whose boxes touch or overlap are a pair, listed once, unless one lies
-// strictly on one side of the other's plane. The list does not depend on the threads, nor on the
-// octree's options.
+// strictly on one side of the other's plane, or they are of one wide fan (see common_fans.h) and
+// meet in its vertex only; but each face of such a fan is in a pair with one of the other operand's
+// there. The list does not depend on the threads, nor on the octree's options.
 // Source: Mei & Tipper 2013, step 1: an octree over the overlap of both boxes in which a node
 // without a face of either operand dies, so that the work contracts onto the curve.
 #pragma once
 
 #include "vcg_ext/arrange/arrangement.h"
 #include "vcg_ext/arrange/face_boxes.h"
+#include "vcg_ext/arrange/face_pair.h"
 #include "vcg_ext/base/monitor.h"
 #include "vcg_ext/base/status.h"
 
@@ -20,22 +22,17 @@
 
 namespace index_boolean {
 
-// A face of operand 0 and a face of operand 1.
-struct FacePair {
-	FaceId a, b;
-};
-
 // Finds all pairs of faces, quiet ones left aside, with boxes that touch or overlap, and a few more
 // whose boxes differ by less than the rounding to float of coordinates taken relative to the
 // operands' common box; but none of which the plane of one face parts the faces, as far as a bound
-// on the rounding tells.
+// on the rounding tells. Of the faces of a wide fan: those that may meet elsewhere too, and a few.
 // \param mesh    both operands; every face's coordinates are finite
 // \param options octree limits and threads
 // \param monitor progress of the stage, and cancel
 // \param out     replaced; sorted by a, then by b
 // \return Ok, Cancelled, OutOfMemory or InternalError
 // Complexity: O(n + m log m + p) for n faces, m of them near the other operand, and p pairs with
-// boxes that meet.
+// boxes that meet, those of wide fans not counted.
 Status findPairs(const MeshArrays& mesh, const Options& options, Monitor& monitor,
                  std::vector<FacePair>& out);
 

@@ -135,7 +135,7 @@ TEST(CoincidentFaces, componentsAreCountedWhereSomeAreCommon) {
 	const Mesh b = joined(common, joined(box({3.5, 0.5, 0.5}, {5, 2, 2}), sphere(6, {9, 9, 9}, 1)));
 	const BooleanRun r = run(a, b);
 	expectRight(r, volume(a), volume(b), volume(common) + 0.125);
-	EXPECT_EQ(r.arrangement.labels.components, (std::array<std::uint32_t, 2>{2, 3}));
+	EXPECT_EQ(r.arrangement.labels.components, (PerOperand<std::uint32_t>{2, 3}));
 	EXPECT_EQ(r.audit.blocks[0].components, 3u);
 }
 

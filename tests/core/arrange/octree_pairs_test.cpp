@@ -7,6 +7,7 @@
 #include "core/shapes.h"
 
 #include <vcg_ext/arrange/octree_pairs.h>
+#include <vcg_ext/arrange/triangle_contact.h>
 #include <vcg_ext/exact/exact_sign.h>
 
 #include <gtest/gtest.h>
@@ -276,6 +277,139 @@ TEST(OctreePairs, facesAroundOneVertexAgreeWithBruteForce) {
 	EXPECT_GT(expectAllPairs(fan(700, {0, 0, 0}, 1, 0.1), fan(500, {0, 0, 0}, 0.9, -0.1)), 10000U);
 	EXPECT_GT(expectAllPairs(fan(700, {0.3, 0, 0}, 1, 0.1), fan(500, {0.3, 1e-9, 0}, 1, 0.2)),
 	          10000U);
+}
+
+// The first `common` vertices of the second mesh are those of the first one.
+MeshArrays withCommonVertices(const Mesh& a, const Mesh& b, std::uint32_t common) {
+	MeshArrays mesh = shapes::arrays(a, b);
+	const std::uint32_t second = mesh.vertexOffsets.begin(kSecond);
+	for (std::uint32_t f = mesh.faceOffsets.begin(kSecond); f < mesh.faceOffsets.total(); ++f) {
+		for (VertexId& v : mesh.triangles[f]) {
+			v.value -= v.value < second + common ? second : 0;
+		}
+	}
+	return mesh;
+}
+
+// Checks that all pairs with more in common than one common vertex are listed, and that each face
+// at such a vertex is in a pair. \return how many pairs are listed
+std::size_t expectPairsOfFans(const MeshArrays& mesh) {
+	const Pairs pairs = found(mesh);
+	EXPECT_TRUE(std::is_sorted(pairs.begin(), pairs.end()));
+	EXPECT_EQ(std::adjacent_find(pairs.begin(), pairs.end()), pairs.end()) << "a pair twice";
+	const std::uint32_t second = mesh.faceOffsets.begin(kSecond), all = mesh.faceOffsets.total();
+	std::vector<bool> touched(all), listed(all);
+	for (const auto& [a, b] : pairs) {
+		PairContact contact;
+		EXPECT_TRUE(contactOf(mesh, {{a}, {b}}, contact));
+		listed[a] = listed[a] || contact.count > 0;
+		listed[b] = listed[b] || contact.count > 0;
+	}
+	for (std::uint32_t a = 0; a < second; ++a) {
+		for (std::uint32_t b = second; b < all; ++b) {
+			PairContact contact;
+			EXPECT_TRUE(contactOf(mesh, {{a}, {b}}, contact));
+			touched[a] = touched[a] || contact.count > 0;
+			touched[b] = touched[b] || contact.count > 0;
+			if (contact.count > 1) {
+				EXPECT_TRUE(std::binary_search(pairs.begin(), pairs.end(), std::pair(a, b)));
+			}
+		}
+	}
+	EXPECT_EQ(listed, touched);
+	for (const auto& [depth, leafSize, threads] :
+	     {std::array{1, 0, 1}, {20, 1, 2}, {3, 40, 2}, {12, 1000, 1}}) {
+		Options options;
+		options.octreeMaxDepth = depth;
+		options.octreeLeafSize = leafSize;
+		options.threads = threads;
+		EXPECT_EQ(found(mesh, options), pairs) << depth << ' ' << leafSize << ' ' << threads;
+	}
+	return pairs.size();
+}
+
+TEST(OctreePairs, fansAtACommonVertexHaveFewPairs) {
+	const Mesh a = fan(700, {0.3, 0, 0}, 1, 0.5);
+	const Mesh below = fan(500, {0.3, 0, 0}, 0.9, -0.1), inside = fan(500, {0.3, 0, 0}, 0.5, 0.5);
+	EXPECT_LE(expectPairsOfFans(withCommonVertices(a, below, 1)), 1200U);
+	EXPECT_LE(expectPairsOfFans(withCommonVertices(a, inside, 1)), 1200U);
+	for (const double angle : {0.1, 0.8, 3.0}) {
+		SCOPED_TRACE(angle);
+		Mesh across = fan(500, {0.3, 0, 0}, 0.7, 0.4);
+		for (Point& p : across.points) {
+			p = {0.3 + std::cos(angle) * (p[0] - 0.3) - std::sin(angle) * p[2], p[1],
+			     std::sin(angle) * (p[0] - 0.3) + std::cos(angle) * p[2]};
+		}
+		across.points[0] = a.points[0];
+		EXPECT_LE(expectPairsOfFans(withCommonVertices(a, across, 1)), 2000U);
+	}
+}
+
+TEST(OctreePairs, fansAtACommonVertexAtTheLimitsOfDoubleAreRight) {
+	const Mesh a = fan(150, {0, 0, 0}, 1, 0.5), b = fan(140, {0, 0, 0}, 0.9, 0.5);
+	for (const double scale : {1.7e308, 1e300, 1e-300, 1e-310, 1e-318}) {
+		SCOPED_TRACE(scale);
+		expectPairsOfFans(
+		    withCommonVertices(mapped(a, scale, {0, 0, 0}), mapped(b, scale, {0, 0, 0}), 1));
+	}
+}
+
+// Around one axis, all faces of both fans at its two ends: all pairs are listed, each once.
+TEST(OctreePairs, fansWithACommonEdgeHaveAllPairs) {
+	const auto pages = [](std::uint32_t count, double first) {
+		Mesh mesh{{{0, 0, 0}, {0, 0, 1}}, {}};
+		for (std::uint32_t i = 0; i < count; ++i) {
+			const double angle = first + 2 * shapes::kPi * i / count;
+			mesh.points.push_back({std::cos(angle), std::sin(angle), 0.5});
+			mesh.triangles.push_back({0, 1, i + 2});
+		}
+		return mesh;
+	};
+	const MeshArrays mesh = withCommonVertices(pages(100, 0), pages(90, 0.01), 2);
+	EXPECT_EQ(expectPairsOfFans(mesh), 9000U);
+}
+
+// Seen from the common vertex, the faces of one fan are long arcs, far from their chords; those of
+// the other one are short arcs across.
+TEST(OctreePairs, longArcsOfAFanAgreeWithBruteForce) {
+	Mesh a, b;
+	a.points.push_back({0, 0, 0});
+	b.points.push_back({0, 0, 0});
+	const auto add = [](Mesh& mesh, double angle, double height) {
+		mesh.points.push_back({std::cos(angle), std::sin(angle), height});
+		return static_cast<std::uint32_t>(mesh.points.size() - 1);
+	};
+	for (std::uint32_t i = 0; i < 40; ++i) {
+		const std::uint32_t from = add(a, 0.9 * i, 0.001 * i - 0.02);
+		a.triangles.push_back({0, from, add(a, 0.9 * i + 1 + 0.05 * i, 0.001 * i - 0.02)});
+	}
+	for (std::uint32_t i = 0; i < 900; ++i) {
+		const std::uint32_t from = add(b, 0.01 * i, -0.1);
+		b.triangles.push_back({0, from, add(b, 0.01 * i, 0.1)});
+	}
+	EXPECT_GT(expectPairsOfFans(withCommonVertices(a, b, 1)), 5000U);
+}
+
+// Several fans within one leaf, and faces that belong to two of them.
+TEST(OctreePairs, manyFansInOneLeafAreRight) {
+	Mesh a, b;
+	for (std::uint32_t i = 0; i < 4; ++i) {
+		a.points.push_back({1e-4 * i, 1e-5 * i * i, 0});
+	}
+	b.points = a.points;
+	for (const auto& [mesh, height] : {std::pair{&a, 0.5}, {&b, -0.5}}) {
+		for (std::uint32_t i = 0; i < 300; ++i) {
+			const double angle = 2 * shapes::kPi * i / 300;
+			const auto corner = static_cast<std::uint32_t>(mesh->points.size());
+			mesh->points.push_back({std::cos(angle), std::sin(angle), height});
+			mesh->points.push_back({std::cos(angle + 0.02), std::sin(angle + 0.02), height});
+			mesh->triangles.push_back({i % 4, corner, corner + 1});
+			if (i % 3 == 0) {
+				mesh->triangles.push_back({i % 4, (i + 1) % 4, corner});
+			}
+		}
+	}
+	expectPairsOfFans(withCommonVertices(a, b, 4));
 }
 
 TEST(OctreePairs, closedSurfacesAgreeWithBruteForce) {
