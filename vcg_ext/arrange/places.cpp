@@ -34,23 +34,31 @@ double roundedToFloat(const ExactPoint& point, std::size_t axis) {
 
 }  // namespace
 
+ExactPoint exactPointOf(const MeshArrays& mesh, const PointName& name) {
+	const auto& ids = name.ids;
+	const Points& points = mesh.points;
+	switch (name.kind) {
+	case PointKind::EdgeEdge:
+		return ExactPoint::lineLine(
+		    {&points[ids[0]], &points[ids[1]], &points[ids[2]], &points[ids[3]]}, name.axis);
+	case PointKind::EdgeFace: {
+		const Triangle& face = mesh.triangles[ids[2]];
+		return ExactPoint::linePlane({&points[ids[0]], &points[ids[1]], &at(points, face[0]),
+		                              &at(points, face[1]), &at(points, face[2])});
+	}
+	case PointKind::Vertex:
+	case PointKind::OnEdge:
+		break;
+	}
+	return ExactPoint::explicitPoint(points[ids[0]]);
+}
+
 ExactPoint exactPoint(const Arrangement& arrangement, VertexId vertex) {
-	const Points& points = arrangement.mesh.points;
 	if (!arrangement.isCurvePoint(vertex)) {
-		return ExactPoint::explicitPoint(at(points, vertex));
+		return ExactPoint::explicitPoint(at(arrangement.mesh.points, vertex));
 	}
 	const PointId id = arrangement.pointOf(vertex);
-	const PointName& name = at(arrangement.curve.names, id);
-	const auto& ids = name.ids;
-	ExactPoint point;
-	if (name.kind == PointKind::EdgeEdge) {
-		point = ExactPoint::lineLine(
-		    {&points[ids[0]], &points[ids[1]], &points[ids[2]], &points[ids[3]]}, name.axis);
-	} else {
-		const Triangle& face = arrangement.mesh.triangles[ids[2]];
-		point = ExactPoint::linePlane({&points[ids[0]], &points[ids[1]], &at(points, face[0]),
-		                               &at(points, face[1]), &at(points, face[2])});
-	}
+	ExactPoint point = exactPointOf(arrangement.mesh, at(arrangement.curve.names, id));
 	point.rounded = at(arrangement.curve.rounded, id);
 	return point;
 }

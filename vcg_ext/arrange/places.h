@@ -10,6 +10,10 @@
 
 namespace index_boolean {
 
+// The point that a name stands for, by its simplices, not rounded unless it is a vertex; borrows
+// the mesh's points. O(1).
+ExactPoint exactPointOf(const MeshArrays& mesh, const PointName& name);
+
 // The simplices that define a vertex or a curve point; borrows the arrangement's points.
 // \param vertex an input vertex or a numbered curve point
 // Complexity: O(1).

@@ -9,9 +9,9 @@
 
 #include "vcg_ext/arrange/box_frame.h"
 #include "vcg_ext/arrange/octree_pairs.h"
+#include "vcg_ext/arrange/places.h"
 #include "vcg_ext/arrange/triangle_contact.h"
 #include "vcg_ext/base/parallel.h"
-#include "vcg_ext/exact/exact_sign.h"
 
 #include <algorithm>
 #include <atomic>
@@ -69,7 +69,6 @@ private:
 	bool meetInOneCornerOnly(FacePair pair) const;
 	bool isProper(FacePair pair, const PairContact& contact) const;
 	bool isCommonCorner(FacePair pair, const PointName& name) const;
-	Point placeOf(const PointName& name) const;
 	Point placeOf(FacePair pair) const;
 	Status result() const;
 
@@ -172,22 +171,6 @@ bool SelfSearch::isProper(FacePair pair, const PairContact& contact) const {
 	                   [&](const PointName& name) { return isCommonCorner(pair, name); });
 }
 
-Point SelfSearch::placeOf(const PointName& name) const {
-	const auto& ids = name.ids;
-	const Points& points = mesh_.points;
-	ExactPoint point = ExactPoint::explicitPoint(points[ids[0]]);
-	if (name.kind == PointKind::EdgeEdge) {
-		point = ExactPoint::lineLine(
-		    {&points[ids[0]], &points[ids[1]], &points[ids[2]], &points[ids[3]]}, name.axis);
-	} else if (name.kind == PointKind::EdgeFace) {
-		const Triangle& face = mesh_.triangles[ids[2]];
-		point = ExactPoint::linePlane({&points[ids[0]], &points[ids[1]], &at(points, face[0]),
-		                               &at(points, face[1]), &at(points, face[2])});
-	}
-	roundPoint(point);
-	return point.rounded;
-}
-
 // A point that two faces should not have in common; of two equal faces, a corner.
 Point SelfSearch::placeOf(FacePair pair) const {
 	PairContact contact;
@@ -196,7 +179,9 @@ Point SelfSearch::placeOf(FacePair pair) const {
 	const PointName* end = begin + contact.count;
 	const PointName* name =
 	    std::find_if_not(begin, end, [&](const PointName& n) { return isCommonCorner(pair, n); });
-	return placeOf(name == end ? *begin : *name);
+	ExactPoint point = exactPointOf(mesh_, name == end ? *begin : *name);
+	roundPoint(point);
+	return point.rounded;
 }
 
 Status SelfSearch::result() const {
