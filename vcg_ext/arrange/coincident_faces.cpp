@@ -1,8 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The Index Boolean authors
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// in: both operands, with common vertices; out: their twins, from a table of one operand's faces.
 #include "vcg_ext/arrange/coincident_faces.h"
 
+#include "vcg_ext/base/index_table.h"
 #include "vcg_ext/base/parallel.h"
+#include "vcg_ext/mesh/face_key.h"
 
 #include <algorithm>
 #include <atomic>
@@ -12,67 +16,35 @@ namespace index_boolean {
 namespace {
 
 constexpr std::size_t kGrain = 1 << 14;
-constexpr std::uint32_t kEmpty = 0xffffffffu;
 
-// A face's corners in ascending order, and whether it goes round them in that order.
-struct FaceKey {
-	Triangle sorted;
-	bool ascending;
-};
-
-FaceKey keyOf(const Triangle& t) {
-	FaceKey key{t, true};
-	const auto order = [&key](std::size_t i, std::size_t j) {
-		if (key.sorted[j] < key.sorted[i]) {
-			std::swap(key.sorted[i], key.sorted[j]);
-			key.ascending = !key.ascending;
-		}
-	};
-	order(0, 1);
-	order(1, 2);
-	order(0, 1);
-	return key;
-}
+using VertexKey = FaceKey<VertexId>;
 
 // The faces of the second operand all of whose corners are the first one's, by their corners.
 class FaceTable {
+	auto isOn(const VertexKey& key) const {
+		return [this, &key](std::uint32_t face) { return faceKeyOf(triangles_[face]) == key; };
+	}
+
 public:
 	FaceTable(const Triangles& triangles, const std::vector<std::uint32_t>& faces)
-	    : triangles_(triangles) {
-		std::size_t size = 16;
-		while (size < 2 * faces.size()) {
-			size *= 2;
-		}
-		slots_.assign(size, kEmpty);
+	    : triangles_(triangles), table_(faces.size()) {
 		for (const std::uint32_t face : faces) {
-			slots_[find(keyOf(triangles[face]))] = face;
+			const VertexKey key = faceKeyOf(triangles[face]);
+			table_.slotOf(hashOf(key), isOn(key)) = face;
 		}
 	}
 
-	// The face on these corners, or kEmpty.
-	std::uint32_t faceOn(const FaceKey& key) const { return slots_[find(key)]; }
+	// The last of the faces on these corners, or IndexTable::kNone.
+	std::uint32_t faceOn(const VertexKey& key) const { return table_.find(hashOf(key), isOn(key)); }
 
 private:
-	std::size_t find(const FaceKey& key) const {
-		std::uint64_t hash = 0x9e3779b97f4a7c15u;
-		for (const VertexId v : key.sorted) {
-			hash = (hash ^ v.value) * 0xff51afd7ed558ccdu;
-			hash ^= hash >> 32;
-		}
-		std::size_t slot = hash & (slots_.size() - 1);
-		while (slots_[slot] != kEmpty && keyOf(triangles_[slots_[slot]]).sorted != key.sorted) {
-			slot = (slot + 1) & (slots_.size() - 1);
-		}
-		return slot;
-	}
-
 	const Triangles& triangles_;
-	std::vector<std::uint32_t> slots_;
+	IndexTable table_;
 };
 
-class Finder {
+class TwinSearch {
 public:
-	Finder(MeshArrays& mesh, int threads, Monitor& monitor)
+	TwinSearch(MeshArrays& mesh, int threads, Monitor& monitor)
 	    : mesh_(mesh), threads_(threads), monitor_(monitor) {}
 
 	Status run() {
@@ -112,11 +84,12 @@ private:
 		    mesh_.faceOffsets.begin(kSecond), kGrain, threads_, monitor_,
 		    [&](std::size_t begin, std::size_t end) {
 			    for (std::size_t f = begin; f < end; ++f) {
-				    const FaceKey key = keyOf(mesh_.triangles[f]);
+				    const VertexKey key = faceKeyOf(mesh_.triangles[f]);
 				    const std::uint32_t other = table.faceOn(key);
-				    if (other != kEmpty &&
+				    if (other != IndexTable::kNone &&
 				        taken[other - mesh_.faceOffsets.begin(kSecond)].exchange(1) == 0) {
-					    const bool same = keyOf(mesh_.triangles[other]).ascending == key.ascending;
+					    const bool same =
+					        faceKeyOf(mesh_.triangles[other]).ascending == key.ascending;
 					    mesh_.quietFaces[f] = same ? Twin::SameWay : Twin::Opposite;
 					    mesh_.quietFaces[other] = mesh_.quietFaces[f];
 				    }
@@ -159,7 +132,7 @@ private:
 }  // namespace
 
 Status findCoincidentFaces(Arrangement& arrangement, Monitor& monitor) {
-	return Finder(arrangement.mesh, arrangement.options.threads, monitor).run();
+	return TwinSearch(arrangement.mesh, arrangement.options.threads, monitor).run();
 }
 
 }  // namespace index_boolean

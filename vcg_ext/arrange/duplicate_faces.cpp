@@ -7,8 +7,10 @@
 #include "vcg_ext/arrange/duplicate_faces.h"
 
 #include "vcg_ext/arrange/self_intersecting.h"
+#include "vcg_ext/base/groups.h"
 #include "vcg_ext/base/parallel.h"
 #include "vcg_ext/mesh/mesh_checks.h"
+#include "vcg_ext/mesh/face_key.h"
 
 #include <algorithm>
 
@@ -16,26 +18,7 @@ namespace index_boolean {
 
 namespace {
 
-// A face by its vertices in ascending order, and whether it runs that way round.
-struct SortedFace {
-	std::array<std::uint32_t, 3> corners;
-	bool forward;
-	std::uint32_t face;
-
-	bool hasCornersOf(const SortedFace& other) const { return corners == other.corners; }
-};
-
-SortedFace sorted(const Triangle& t, std::uint32_t face) {
-	SortedFace result{{t[0].value, t[1].value, t[2].value}, true, face};
-	auto& c = result.corners;
-	for (const auto& [i, j] : {std::array<std::size_t, 2>{0, 1}, {1, 2}, {0, 1}}) {
-		if (c[i] > c[j]) {
-			std::swap(c[i], c[j]);
-			result.forward = !result.forward;
-		}
-	}
-	return result;
-}
+using SuspectFace = KeyedFace<VertexId>;
 
 // The bits that faces have set, by their smallest vertices: neighbouring faces use words near to
 // each other.
@@ -92,7 +75,7 @@ struct Duplicates {
 };
 
 // Faces that may be duplicates, by corners, then by index.
-std::vector<SortedFace> suspects(const MeshArrays& mesh, OperandId operand, Monitor& monitor) {
+std::vector<SuspectFace> suspects(const MeshArrays& mesh, OperandId operand, Monitor& monitor) {
 	const std::uint32_t begin = mesh.faceOffsets.begin(operand),
 	                    end = mesh.faceOffsets.end(operand);
 	FaceFilter filter(end - begin);
@@ -102,7 +85,7 @@ std::vector<SortedFace> suspects(const MeshArrays& mesh, OperandId operand, Moni
 			repeated.push_back(face);
 		}
 	}
-	std::vector<SortedFace> result;
+	std::vector<SuspectFace> result;
 	if (repeated.empty() || pollCancelled(monitor)) {
 		return result;
 	}
@@ -112,25 +95,26 @@ std::vector<SortedFace> suspects(const MeshArrays& mesh, OperandId operand, Moni
 	}
 	for (std::uint32_t face = begin; face < end; ++face) {
 		if (filter.has(mesh.triangles[face])) {
-			result.push_back(sorted(mesh.triangles[face], face));
+			result.push_back({faceKeyOf(mesh.triangles[face]), face});
 		}
 	}
-	std::sort(result.begin(), result.end(), [](const SortedFace& p, const SortedFace& q) {
-		return p.corners != q.corners ? p.corners < q.corners : p.face < q.face;
+	std::sort(result.begin(), result.end(), [](const SuspectFace& p, const SuspectFace& q) {
+		return p.key != q.key ? p.key < q.key : p.face < q.face;
 	});
 	return result;
 }
 
 // Takes the faces [begin, end) on the same corners: of each opposite pair the later faces go, of
 // what is left all but the first are repeated.
-void judge(const SortedFace* begin, const SortedFace* end, Duplicates& out) {
-	const auto forward = std::count_if(begin, end, [](const SortedFace& f) { return f.forward; });
+void judge(const SuspectFace* begin, const SuspectFace* end, Duplicates& out) {
+	const auto forward =
+	    std::count_if(begin, end, [](const SuspectFace& f) { return f.key.ascending; });
 	const auto backward = end - begin - forward;
 	const bool majority = forward >= backward;
 	const auto left = std::max(forward, backward) - std::min(forward, backward);
 	auto keep = left;
 	for (; begin != end; ++begin) {
-		if (begin->forward != majority || keep == 0) {
+		if (begin->key.ascending != majority || keep == 0) {
 			out.cancelling.push_back(begin->face);
 			continue;
 		}
@@ -143,17 +127,17 @@ void judge(const SortedFace* begin, const SortedFace* end, Duplicates& out) {
 
 // Takes the faces [begin, end) on the same corners: all but one of them are repeated. If they are
 // turned both ways, it is one that runs through its corners in lexicographic order.
-void takeOnce(const MeshArrays& mesh, const SortedFace* begin, const SortedFace* end,
+void takeOnce(const MeshArrays& mesh, const SuspectFace* begin, const SuspectFace* end,
               Duplicates& out) {
-	const auto isAscending = [&mesh](const SortedFace& f) {
+	const auto isAscending = [&mesh](const SuspectFace& f) {
 		const Triangle& t = mesh.triangles[f.face];
 		std::array<Point, 3> c{at(mesh.points, t[0]), at(mesh.points, t[1]), at(mesh.points, t[2])};
 		std::rotate(c.begin(), std::min_element(c.begin(), c.end()), c.end());
 		return c[1] < c[2];
 	};
-	const SortedFace* const ascending = std::find_if(begin, end, isAscending);
-	const SortedFace* const kept = ascending == end ? begin : ascending;
-	for (const SortedFace* f = begin; f != end; ++f) {
+	const SuspectFace* const ascending = std::find_if(begin, end, isAscending);
+	const SuspectFace* const kept = ascending == end ? begin : ascending;
+	for (const SuspectFace* f = begin; f != end; ++f) {
 		(f == kept ? out.firsts : out.repeated).push_back(f->face);
 	}
 }
@@ -162,15 +146,15 @@ void takeOnce(const MeshArrays& mesh, const SortedFace* begin, const SortedFace*
 template <class JudgeFaces>
 void findDuplicates(const MeshArrays& mesh, OperandId operand, Monitor& monitor,
                     JudgeFaces&& judgeFaces, Duplicates& out) {
-	const std::vector<SortedFace> faces = suspects(mesh, operand, monitor);
-	for (std::size_t first = 0, next = 0; first < faces.size(); first = next) {
-		while (next < faces.size() && faces[next].hasCornersOf(faces[first])) {
-			++next;
-		}
-		if (next - first > 1) {
-			judgeFaces(&faces[first], &faces[first] + (next - first), out);
-		}
-	}
+	const std::vector<SuspectFace> faces = suspects(mesh, operand, monitor);
+	forEachGroup(
+	    faces.data(), faces.data() + faces.size(),
+	    [](const SuspectFace& p, const SuspectFace& q) { return p.key == q.key; },
+	    [&](const SuspectFace* first, const SuspectFace* last) {
+		    if (last - first > 1) {
+			    judgeFaces(first, last, out);
+		    }
+	    });
 }
 
 // The same for both operands, each on a thread.
@@ -289,7 +273,7 @@ Status removeDuplicateFaces(Arrangement& arrangement, Monitor& monitor) {
 
 Status takeDuplicateFacesOnce(Arrangement& arrangement, Monitor& monitor) {
 	const MeshArrays& mesh = arrangement.mesh;
-	const auto judgeFaces = [&mesh](const SortedFace* begin, const SortedFace* end,
+	const auto judgeFaces = [&mesh](const SuspectFace* begin, const SuspectFace* end,
 	                                Duplicates& out) { takeOnce(mesh, begin, end, out); };
 	PerOperand<Duplicates> found(mesh.operands().count());
 	const Status status = findAllDuplicates(arrangement, monitor, judgeFaces, found);

@@ -131,7 +131,7 @@ ChildCounts countChildren(const BoxSpan& boxes, const std::array<float, 3>& mid,
 }
 
 // The split of one node: which boxes go to which children.
-class Split {
+class NodeSplit {
 public:
 	// Counts the boxes of all children. \return false if splitting does not help
 	bool count(const Node& node) { return countIn(node, node.size(), nullptr); }
@@ -173,7 +173,7 @@ private:
 	ChildSet living_ = 0;  // children with boxes of both operands
 };
 
-bool Split::countIn(const Node& node, std::size_t grain, const Workers* workers) {
+bool NodeSplit::countIn(const Node& node, std::size_t grain, const Workers* workers) {
 	workers_ = workers;
 	grain_ = grain;
 	counts_ = {};
@@ -202,7 +202,7 @@ bool Split::countIn(const Node& node, std::size_t grain, const Workers* workers)
 
 // A split helps if it halves the pairs to be tested or hardly repeats a face: faces around one
 // common vertex stay together however often they are split.
-bool Split::helps(const Node& node) const {
+bool NodeSplit::helps(const Node& node) const {
 	std::uint64_t pairs = 0;
 	std::uint64_t boxes = 0;
 	forEachChild(living_, [&](std::size_t child) {
@@ -226,7 +226,7 @@ Node childNode(const Node& node, std::size_t child) {
 	return result;
 }
 
-void Split::distribute(const Node& node, BoxBuffer& buffer, std::vector<Node>& out) {
+void NodeSplit::distribute(const Node& node, BoxBuffer& buffer, std::vector<Node>& out) {
 	std::size_t total = 0;
 	forEachChild(living_, [&](std::size_t c) { total += counts_[0][c] + counts_[1][c]; });
 	FaceBox* next = buffer.reserve(total);
@@ -351,7 +351,7 @@ private:
 	Monitor& monitor_;
 	const CommonFans* fans_;
 	Visit visitPair_;
-	Split split_;
+	NodeSplit split_;
 	std::array<BoxBuffer, 21> buffers_;           // one per depth
 	std::array<std::vector<Node>, 21> children_;  // one per depth
 	std::array<HugeVector<FaceBox>, 2> sorted_;
@@ -529,7 +529,7 @@ struct Expansion {
 	std::vector<Node> nodes;
 	std::unique_ptr<BoxBuffer> buffer;
 
-	void split(const Node& node, Split& counted) {
+	void split(const Node& node, NodeSplit& counted) {
 		buffer = std::make_unique<BoxBuffer>();
 		counted.distribute(node, *buffer, nodes);
 	}
@@ -543,7 +543,7 @@ Status expand(const Options& options, Monitor& monitor, Frontier& frontier) {
 	std::vector<Expansion> expansions(count);
 	for (std::size_t i = 0; i < count && !monitor.cancelled(); ++i) {
 		const Node& node = frontier.nodes[i];
-		Split split;
+		NodeSplit split;
 		if (node.size() >= kLargeNode && !isLeaf(node, options) &&
 		    split.countTogether(node, workers)) {
 			expansions[i].split(node, split);
@@ -555,7 +555,7 @@ Status expand(const Options& options, Monitor& monitor, Frontier& frontier) {
 	const Status status = parallelForChunks(
 	    count, 1, options.threads, monitor, [&](std::size_t i, std::size_t, std::size_t) {
 		    const Node& node = frontier.nodes[i];
-		    Split split;
+		    NodeSplit split;
 		    if (!expansions[i].nodes.empty()) {
 			    return;
 		    }

@@ -9,13 +9,15 @@
 // (3) Two opposite faces on the same corners have no boundary together and bound nothing.
 #include "vcg_ext/mesh/clean.h"
 
+#include "vcg_ext/base/groups.h"
+#include "vcg_ext/base/index_table.h"
 #include "vcg_ext/base/parallel.h"
+#include "vcg_ext/mesh/face_key.h"
 
 #include <algorithm>
 #include <iterator>
 #include <limits>
 #include <numeric>
-#include <unordered_map>
 
 namespace index_boolean {
 
@@ -65,7 +67,7 @@ private:
 
 // A face at a corner of a zero-area face, by local vertex numbers; later also the pieces of those
 // that are split.
-struct LocalFace {
+struct NearFace {
 	IndexTriangle corners;
 	std::uint32_t origin;  // the face that it is or is a piece of
 	bool zeroArea;
@@ -78,14 +80,14 @@ struct Neighbourhood {
 	explicit Neighbourhood(std::vector<std::uint32_t> vertices)
 	    : vertex(std::move(vertices)), rank(vertex.size(), kNone), classes(vertex.size()) {}
 
-	std::vector<LocalFace> faces;       // by origin, ascending; then the pieces
+	std::vector<NearFace> faces;        // by origin, ascending; then the pieces
 	std::size_t originalFaces = 0;      // of the faces, those that are no pieces
 	std::vector<std::uint32_t> vertex;  // a local vertex's index in the surface, ascending
 	std::vector<std::uint32_t> rank;    // order of the corners of zero-area faces by coordinates,
 	                                    // equal ranks for equal places; kNone for all others
 	Partition classes;
 
-	IndexTriangle labels(const LocalFace& face) const {
+	IndexTriangle labels(const NearFace& face) const {
 		const IndexTriangle& c = face.corners;
 		return {classes.label(c[0]), classes.label(c[1]), classes.label(c[2])};
 	}
@@ -152,7 +154,7 @@ Neighbourhood numberLocally(const IndexTriangles& triangles, const std::vector<s
 // points, and points of equal rank coincide (0 and -0 are equal): from here on only indices.
 void rankCorners(const Points& points, Neighbourhood& local) {
 	std::vector<std::uint32_t> corners;
-	for (const LocalFace& face : local.faces) {
+	for (const NearFace& face : local.faces) {
 		if (face.zeroArea) {
 			corners.insert(corners.end(), face.corners.begin(), face.corners.end());
 		}
@@ -173,7 +175,7 @@ void rankCorners(const Points& points, Neighbourhood& local) {
 // Unites vertices at one place that an edge joins (its faces have zero area, so they are all here).
 // Faces that lose a corner vanish.
 void uniteJoined(Neighbourhood& local) {
-	for (const LocalFace& face : local.faces) {
+	for (const NearFace& face : local.faces) {
 		for (int i = 0; face.zeroArea && i < 3; ++i) {
 			const std::uint32_t from = face.corners[static_cast<std::size_t>(i)];
 			const std::uint32_t to = face.corners[static_cast<std::size_t>(nextCorner(i))];
@@ -182,7 +184,7 @@ void uniteJoined(Neighbourhood& local) {
 			}
 		}
 	}
-	for (LocalFace& face : local.faces) {
+	for (NearFace& face : local.faces) {
 		const IndexTriangle c = local.labels(face);
 		if (c[0] == c[1] || c[1] == c[2] || c[2] == c[0]) {
 			face.alive = false;
@@ -190,78 +192,39 @@ void uniteJoined(Neighbourhood& local) {
 	}
 }
 
-// A face by its corners without their order, and the sense in which it goes round them.
-struct FaceKey {
-	IndexTriangle sorted;
-	bool even;
-	std::uint32_t face;
-};
-
-FaceKey faceKey(IndexTriangle labels, std::size_t face) {
-	bool even = true;
-	const auto order = [&](std::size_t i, std::size_t j) {
-		if (labels[j] < labels[i]) {
-			std::swap(labels[i], labels[j]);
-			even = !even;
-		}
-	};
-	order(0, 1);
-	order(1, 2);
-	order(0, 1);
-	return {labels, even, index32(face)};
-}
+using LabelledFace = KeyedFace<std::uint32_t>;  // by the labels of its corners
 
 // Cancels opposite faces one against one; equal ones that are left over stay. Those of lower
 // number stay, which matters to their origin only.
 // \return how many faces with area went
 std::size_t cancelOpposite(Neighbourhood& local) {
-	std::vector<FaceKey> keys;
-	keys.reserve(local.faces.size());
+	std::vector<LabelledFace> faces;
+	faces.reserve(local.faces.size());
 	for (std::size_t i = 0; i < local.faces.size(); ++i) {
 		if (local.faces[i].alive) {
-			keys.push_back(faceKey(local.labels(local.faces[i]), i));
+			faces.push_back({faceKeyOf(local.labels(local.faces[i])), index32(i)});
 		}
 	}
-	std::sort(keys.begin(), keys.end(), [](const FaceKey& a, const FaceKey& b) {
-		return a.sorted != b.sorted ? a.sorted < b.sorted : a.face > b.face;
+	std::sort(faces.begin(), faces.end(), [](const LabelledFace& a, const LabelledFace& b) {
+		return a.key != b.key ? a.key < b.key : a.face > b.face;
 	});
 	std::size_t removed = 0;
-	for (std::size_t begin = 0, end = 0; begin < keys.size(); begin = end) {
-		std::array<std::size_t, 2> count{};
-		for (end = begin; end < keys.size() && keys[end].sorted == keys[begin].sorted; ++end) {
-			++count[keys[end].even];
-		}
-		std::array<std::size_t, 2> left{};
-		left.fill(std::min(count[0], count[1]));
-		for (std::size_t i = begin; i < end; ++i) {
-			LocalFace& face = local.faces[keys[i].face];
-			if (left[keys[i].even] == 0) {
-				continue;
+	const auto isSame = [](const LabelledFace& a, const LabelledFace& b) { return a.key == b.key; };
+	forEachGroup(faces.begin(), faces.end(), isSame, [&](auto first, auto last) {
+		const auto ascending =
+		    std::count_if(first, last, [](const LabelledFace& f) { return f.key.ascending; });
+		std::array<std::ptrdiff_t, 2> left{};
+		left.fill(std::min(ascending, last - first - ascending));
+		for (; first != last; ++first) {
+			NearFace& face = local.faces[first->face];
+			if (left[first->key.ascending] > 0) {
+				--left[first->key.ascending];
+				face.alive = false;
+				removed += face.zeroArea ? 0 : 1;
 			}
-			--left[keys[i].even];
-			face.alive = false;
-			removed += face.zeroArea ? 0 : 1;
 		}
-	}
+	});
 	return removed;
-}
-
-struct KeyHash {
-	std::size_t operator()(std::uint64_t key) const {
-		key ^= key >> 31;
-		key *= 0x9e3779b97f4a7c15U;
-		return static_cast<std::size_t>(key ^ (key >> 29));
-	}
-};
-
-using PairMap = std::unordered_map<std::uint64_t, std::uint32_t, KeyHash>;
-
-constexpr std::uint64_t pairKey(std::uint32_t high, std::uint32_t low) {
-	return std::uint64_t{high} << 32 | low;
-}
-
-std::uint64_t edgeKey(std::uint32_t a, std::uint32_t b) {
-	return pairKey(std::min(a, b), std::max(a, b));
 }
 
 // The zero-area faces with three different corners, in clusters: the finest partition in which
@@ -298,14 +261,15 @@ private:
 	Partition clusters_;                          // of faces_
 	std::vector<std::uint32_t> begin_, facesAt_;  // the faces at a local vertex
 	std::vector<std::uint32_t> again_;            // faces to be looked at
-	PairMap faceOfEdge_;    // by vertex labels; keys with labels gone out of use do no harm
-	PairMap vertexOfSite_;  // by cluster label and rank
+	PairTable faceOfEdge_;    // by vertex labels, the lower first; keys with labels gone out of use
+	                          // do no harm
+	PairTable vertexOfSite_;  // by cluster label and rank
 	std::vector<Site> sites_;
 };
 
 IndexTriangles aliveZeroAreaFaces(const Neighbourhood& local) {
 	IndexTriangles faces;
-	for (const LocalFace& face : local.faces) {
+	for (const NearFace& face : local.faces) {
 		if (face.alive && face.zeroArea) {
 			faces.push_back(face.corners);
 		}
@@ -342,14 +306,13 @@ void Clusters::look(std::uint32_t face) {
 	for (int i = 0; i < 3; ++i) {
 		const std::uint32_t from = corners[static_cast<std::size_t>(i)];
 		const std::uint32_t to = corners[static_cast<std::size_t>(nextCorner(i))];
-		const std::uint64_t key = edgeKey(local_.classes.label(from), local_.classes.label(to));
-		const auto other = faceOfEdge_.try_emplace(key, face).first;
-		clusters_.unite(face, other->second,
+		const auto edge = std::minmax({local_.classes.label(from), local_.classes.label(to)});
+		clusters_.unite(face, faceOfEdge_.findOrAdd(edge.first, edge.second, face),
 		                [this](std::uint32_t moved) { again_.push_back(moved); });
 	}
 	for (const std::uint32_t corner : corners) {
-		const std::uint64_t key = pairKey(clusters_.label(face), local_.rank[corner]);
-		uniteVertices(corner, vertexOfSite_.try_emplace(key, corner).first->second);
+		uniteVertices(corner,
+		              vertexOfSite_.findOrAdd(clusters_.label(face), local_.rank[corner], corner));
 	}
 }
 
@@ -383,11 +346,12 @@ void Clusters::inside(std::uint32_t u, std::uint32_t v, std::vector<std::uint32_
 	if (from == kNone || to == kNone) {
 		return;
 	}
-	const auto face = faceOfEdge_.find(edgeKey(local_.classes.label(u), local_.classes.label(v)));
-	if (face == faceOfEdge_.end()) {
+	const auto edge = std::minmax({local_.classes.label(u), local_.classes.label(v)});
+	const std::uint32_t face = faceOfEdge_.find(edge.first, edge.second);
+	if (face == IndexTable::kNone) {
 		return;
 	}
-	const std::uint32_t cluster = clusters_.label(face->second);
+	const std::uint32_t cluster = clusters_.label(face);
 	const Site low{cluster, std::min(from, to), 0}, high{cluster, std::max(from, to), 0};
 	const auto begin = std::upper_bound(sites_.begin(), sites_.end(), low);
 	const auto end = std::lower_bound(begin, sites_.end(), high);
@@ -512,7 +476,7 @@ std::vector<std::uint8_t> lostHere(const Surface& surface, const Neighbourhood& 
 	for (const std::uint32_t vertex : local.vertex) {
 		lost[vertex] = 1;
 	}
-	for (const LocalFace& face : local.faces) {
+	for (const NearFace& face : local.faces) {
 		for (std::size_t i = 0; face.alive && i < 3; ++i) {
 			lost[representative[face.corners[i]]] = 0;
 		}
@@ -593,7 +557,7 @@ void writeBack(const Neighbourhood& local, const std::vector<std::uint32_t>& rep
 	relocation.count = closeHoles(holes.data() + filled, holes.data() + holes.size(),
 	                              triangles.size() + added, moves);
 	triangles.resize(triangles.size() + added);  // the last allocation: nothing can fail from here
-	const auto write = [&](std::size_t to, const LocalFace& face) {
+	const auto write = [&](std::size_t to, const NearFace& face) {
 		const IndexTriangle& c = face.corners;
 		triangles[to] = {representative[c[0]], representative[c[1]], representative[c[2]]};
 	};

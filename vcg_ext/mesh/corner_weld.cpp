@@ -6,6 +6,7 @@
 #include "vcg_ext/mesh/corner_weld.h"
 
 #include "vcg_ext/base/huge_vector.h"
+#include "vcg_ext/base/index_table.h"
 #include "vcg_ext/base/parallel.h"
 #include "vcg_ext/exact/coordinate_hash.h"
 
@@ -19,7 +20,6 @@ namespace index_boolean {
 namespace {
 
 constexpr std::size_t kGrain = 1 << 15;
-constexpr std::uint32_t kEmpty = 0xffffffffu;
 constexpr double kMax = std::numeric_limits<double>::max();
 
 // Where a vertex sets its bits.
@@ -98,40 +98,31 @@ private:
 	std::vector<Cell> cells_;
 };
 
-// Vertices by their coordinates: open addressing with linear probing, at most half full.
+// Vertices by their coordinates.
 class VertexTable {
-public:
-	VertexTable(const Points& points, std::size_t most) : points_(points) {
-		std::size_t size = 16;
-		while (size < 2 * most) {
-			size *= 2;
-		}
-		slots_.assign(size, kEmpty);
+	auto isAt(const Point& p) const {
+		return [this, &p](std::uint32_t vertex) { return points_[vertex] == p; };
 	}
+
+public:
+	VertexTable(const Points& points, std::size_t most) : points_(points), table_(most) {}
 
 	// The vertex at this one's place; if there is none yet, this one, which is put there.
 	std::uint32_t findOrAdd(std::uint32_t vertex) {
-		std::uint32_t& slot = slots_[slotOf(points_[vertex])];
-		if (slot == kEmpty) {
+		const Point& p = points_[vertex];
+		std::uint32_t& slot = table_.slotOf(coordinateHash(p), isAt(p));
+		if (slot == IndexTable::kNone) {
 			slot = vertex;
 		}
 		return slot;
 	}
 
-	// The vertex at a place, or kEmpty.
-	std::uint32_t vertexAt(const Point& p) const { return slots_[slotOf(p)]; }
+	// The vertex at a place, or IndexTable::kNone.
+	std::uint32_t vertexAt(const Point& p) const { return table_.find(coordinateHash(p), isAt(p)); }
 
 private:
-	std::size_t slotOf(const Point& p) const {
-		std::size_t slot = coordinateHash(p) & (slots_.size() - 1);
-		while (slots_[slot] != kEmpty && points_[slots_[slot]] != p) {
-			slot = (slot + 1) & (slots_.size() - 1);
-		}
-		return slot;
-	}
-
 	const Points& points_;
-	HugeVector<std::uint32_t> slots_;
+	IndexTable table_;
 };
 
 // Calls body(operand, begin, end) for chunks of both operands' vertices.
@@ -270,7 +261,7 @@ Status CornerWelder::weldSecondToFirst() {
 	std::vector<Move> moves;
 	for (const std::uint32_t v : suspects_[kSecond]) {
 		const std::uint32_t twin = first.vertexAt(mesh_.points[v]);
-		if (twin != kEmpty) {
+		if (twin != IndexTable::kNone) {
 			moves.push_back({v, twin});
 		}
 	}
