@@ -9,7 +9,7 @@
 #include "vcg_ext/arrange/self_intersecting.h"
 #include "vcg_ext/base/groups.h"
 #include "vcg_ext/base/parallel.h"
-#include "vcg_ext/mesh/mesh_checks.h"
+#include "vcg_ext/mesh/boundary_checksum.h"
 #include "vcg_ext/mesh/face_key.h"
 
 #include <algorithm>

@@ -9,10 +9,12 @@
 #include "vcg_ext/arrange/joined_polygons.h"
 #include "vcg_ext/base/parallel.h"
 #include "vcg_ext/exact/exact_sign.h"
+#include "vcg_ext/mesh/boundary_checksum.h"
 #include "vcg_ext/mesh/clean.h"
 #include "vcg_ext/mesh/corner_weld.h"
-#include "vcg_ext/mesh/mesh_checks.h"
+#include "vcg_ext/mesh/element_counts.h"
 #include "vcg_ext/mesh/non_manifold.h"
+#include "vcg_ext/mesh/unmatched_edges.h"
 
 #include <algorithm>
 #include <limits>

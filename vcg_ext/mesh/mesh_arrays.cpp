@@ -3,7 +3,7 @@
 #include "vcg_ext/mesh/mesh_arrays.h"
 
 #include "vcg_ext/base/parallel.h"
-#include "vcg_ext/mesh/mesh_checks.h"
+#include "vcg_ext/mesh/element_counts.h"
 
 #include <algorithm>
 

@@ -11,8 +11,8 @@
 #include "vcg_ext/base/huge_pages.h"
 #include "vcg_ext/base/parallel.h"
 #include "vcg_ext/exact/bounding_box.h"
+#include "vcg_ext/mesh/element_counts.h"
 #include "vcg_ext/mesh/mesh_arrays.h"
-#include "vcg_ext/mesh/mesh_checks.h"
 
 #include <vcg/complex/complex.h>
 

@@ -10,7 +10,7 @@
 #include "vcg_ext/base/concurrent_sets.h"
 #include "vcg_ext/base/huge_vector.h"
 #include "vcg_ext/base/parallel.h"
-#include "vcg_ext/mesh/mesh_checks.h"
+#include "vcg_ext/mesh/boundary_checksum.h"
 
 #include <algorithm>
 

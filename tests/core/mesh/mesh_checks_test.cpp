@@ -5,7 +5,9 @@
 // shares no code.
 #include "core/shapes.h"
 
-#include <vcg_ext/mesh/mesh_checks.h>
+#include <vcg_ext/mesh/boundary_checksum.h>
+#include <vcg_ext/mesh/element_counts.h>
+#include <vcg_ext/mesh/unmatched_edges.h>
 
 #include <gtest/gtest.h>
 

@@ -1,30 +1,16 @@
 // SPDX-FileCopyrightText: 2026 The Index Boolean authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// in: counts; out: whether ids can hold them. in: triangles; out: whether each directed edge occurs
-// as often as its reverse, and if not, where it does not. Guarantee: the fast answer is wrong with
-// a probability of 2^-64 only, and only where an open surface is called closed; the slow one is
-// exact.
+// in: triangles; out: a checksum of their boundary. Guarantee: it tells whether each directed edge
+// occurs as often as its reverse, and is wrong with a probability of 2^-64 only, and only where an
+// open surface is called closed.
 #pragma once
 
 #include "vcg_ext/base/mesh_types.h"
 #include "vcg_ext/base/monitor.h"
 #include "vcg_ext/base/status.h"
 
-#include <vector>
-
 namespace index_boolean {
-
-// The most points, and the most faces, that both operands may have together.
-constexpr std::size_t kMostElements = 0x7fffffff;
-
-// \param most how many there may be of each; no more than kMostElements count
-// \return Ok, or TooLarge with the larger count, of no operand in particular. O(1).
-Status checkCounts(std::size_t points, std::size_t faces, std::size_t most = kMostElements);
-
-// The same for what there is more of, such as corners: up to twice as many have numbers, none()
-// left out, in 32 bits. \return Ok, or TooLarge with the count. O(1).
-Status checkNumbering(std::size_t count, std::size_t most = kMostElements);
 
 // A fixed bijection in which every bit of the key changes every bit of the hash about half the
 // time: two rounds of multiplying by an odd number and folding the high half onto the low one.
@@ -53,17 +39,5 @@ Status boundaryChecksum(const Triangle* begin, const Triangle* end, int threads,
 Status boundaryChecksum(const std::array<std::uint32_t, 3>* begin,
                         const std::array<std::uint32_t, 3>* end, int threads, Monitor& monitor,
                         std::uint64_t& sum);
-
-// The edges at which a surface is not closed or not consistently oriented.
-struct UnmatchedEdges {
-	std::size_t borderEdges = 0;          // with an odd number of faces
-	std::size_t conflictingEdges = 0;     // with an even number, not as many each way
-	std::array<VertexId, 2> firstEdge{};  // of the borders if any, else of the conflicts
-	std::vector<std::uint32_t> faces;     // at these edges, counted from `begin`; ascending
-};
-
-// Finds all unmatched edges of the triangles [begin, end). "First" is by smaller, then by larger
-// vertex. Complexity: O(n log n), for surfaces that are refused.
-void findUnmatchedEdges(const Triangle* begin, const Triangle* end, UnmatchedEdges& out);
 
 }  // namespace index_boolean
