@@ -8,7 +8,7 @@
 #pragma once
 
 #include "vcg_ext/mesh/mesh_arrays.h"
-#include "vcg_ext/mesh/mesh_checks.h"
+#include "vcg_ext/mesh/element_counts.h"
 
 #include <string>
 

@@ -6,7 +6,7 @@
 
 #include "vcg_ext/base/bucket_sort.h"
 #include "vcg_ext/base/parallel.h"
-#include "vcg_ext/mesh/mesh_checks.h"
+#include "vcg_ext/mesh/element_counts.h"
 
 #include <array>
 

@@ -9,7 +9,7 @@
 #include "vcg_ext/arrange/chunk_pieces.h"
 #include "vcg_ext/arrange/self_intersecting.h"
 #include "vcg_ext/base/parallel.h"
-#include "vcg_ext/mesh/mesh_checks.h"
+#include "vcg_ext/mesh/element_counts.h"
 
 namespace index_boolean {
 
