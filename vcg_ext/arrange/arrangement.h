@@ -151,11 +151,22 @@ struct Refinement {
 	HugeVector<std::array<NodeId, 2>> cornerLinks;  // (region, corner on the other operand)
 	std::uint32_t nodeCount = 0;
 	std::vector<std::uint8_t> isCut;  // per face: it is one of cutFaces
+
+	// The pieces of a cut face: pieces[begin .. end).
+	struct PieceRange {
+		std::size_t begin, end;
+	};
+	// \param i index into cutFaces
+	PieceRange piecesOf(std::size_t i) const {
+		return {cutFaces[i].firstPiece,
+		        i + 1 < cutFaces.size() ? cutFaces[i + 1].firstPiece : pieces.size()};
+	}
 };
 
 // Where an element of one operand lies with respect to the other. On*: a piece of a face that lies
 // in the other's surface, whose normal there points the same way or the opposite way.
 enum class Label : std::uint8_t { Outside, Inside, OnSame, OnOpposite, OnVertex, Unused, Unknown };
+constexpr std::size_t kLabelCount = 7;
 
 // Empty when splitting, which needs no labels.
 struct Labels {
