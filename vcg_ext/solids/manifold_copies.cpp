@@ -1,12 +1,34 @@
 // SPDX-FileCopyrightText: 2026 The Index Boolean authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The faces at a suspect vertex that are paired across their edges form umbrellas; each umbrella
-// gets a copy of the vertex. So two pairs of faces at one edge come apart iff their umbrellas
-// differ at one end of it at least.
+// The surface at a suspect vertex is taken apart into umbrellas: its faces there, joined across
+// their edges two and two. Each umbrella gets a copy of the vertex.
+//
+//     a        b     Four faces at an edge, seen along it; 1 and 2 are solid. Across the solid they
+//       .  1 .       are paired a b, c d: two wedges that touch. Across the void they are paired
+//         . .        b c, d a: one solid around two voids that touch. Pairs are matched as brackets
+//          .         are, so they never cross.
+//         . .
+//       .  2 .       Two pairs come apart iff their umbrellas differ at one end of the edge at
+//     d        c     least: that end has two copies then, and the edge is two edges.
+//
+// Why the solid stays: a copy is where the vertex was, so no triangle moves. Why closed stays
+// closed: each face is paired, at each of its edges with a suspect end, with one that runs along
+// that edge the other way, and both get the same copies of its ends.
+// Why a manifold comes out, once no two pairs at an edge have both ends in common: each edge then
+// has the two faces of one pair, and the faces at each copy of a suspect vertex are one umbrella;
+// a vertex that is not suspect had one before.
+// Why pairs come apart, where the order of faces around edges is that of a solid: cut off a small
+// ball around a vertex. On its sphere, the solid and the void are regions, each edge is a point,
+// and an umbrella is a closed line between them. If two pairs across the solid at one edge have a
+// line in common, it borders one region of the solid and passes the point twice; then a closed
+// curve within that region and through the point parts the voids to both sides of it, and pairs
+// across the void are on different lines. Where a fan has more pairs, or several fans change, that
+// parts some of them; the rest are looked at again.
 #include "vcg_ext/solids/manifold_copies.h"
 
 #include "vcg_ext/arrange/radial_order.h"
+#include "vcg_ext/base/edge_table.h"
 #include "vcg_ext/base/parallel.h"
 #include "vcg_ext/base/union_find.h"
 #include "vcg_ext/exact/exact_sign.h"
@@ -14,27 +36,17 @@
 
 #include <algorithm>
 #include <functional>
+#include <iterator>
 
 namespace index_boolean {
 
 namespace {
 
-constexpr std::uint32_t kNone = 0xffffffffu;
-
 std::size_t next(std::size_t corner) { return corner == 2 ? 0 : corner + 1; }
 
-// A face's edge between the vertices low < high. The face is listed locally; the edge leaves its
-// given corner. `forward`: it runs from low to high.
-struct HalfEdge {
-	std::uint32_t low, high;
-	std::uint32_t face;
-	std::uint8_t corner;
-	bool forward;
-
-	bool sameEdge(const HalfEdge& other) const { return low == other.low && high == other.high; }
-	std::size_t cornerAtLow() const { return forward ? corner : next(corner); }
-	std::size_t cornerAtHigh() const { return forward ? next(corner) : corner; }
-};
+// The corners of a half-edge's face at the ends of the edge.
+std::size_t cornerAtLow(const HalfEdge& h) { return h.forward ? h.corner : next(h.corner); }
+std::size_t cornerAtHigh(const HalfEdge& h) { return h.forward ? next(h.corner) : h.corner; }
 
 // Two half-edges, by their indices, that are one edge of the manifold.
 struct Pair {
@@ -67,7 +79,7 @@ public:
 	Status run(std::size_t firstFace);
 
 	// Whether two pairs of faces at one edge still have both ends in common.
-	bool anyInCommon() const {
+	bool anyInCommon() {
 		return std::any_of(fans_.begin(), fans_.end(),
 		                   [this](const Fan& fan) { return !pairsInCommon(fan).empty(); });
 	}
@@ -76,25 +88,26 @@ public:
 	void insertMidpoints(OutputScalar scalar);
 
 private:
-	struct Split;
+	struct Half;
+	using Ends = std::pair<std::uint32_t, std::uint32_t>;
 	void collectHalfEdges(std::size_t firstFace);
 	void findPairs();
-	void addFan(std::size_t begin, std::size_t end);
+	void addFan(std::uint32_t begin, std::uint32_t end);
 	void pairUp(Fan& fan) const;
 	void uniteUmbrellas();
+	void pairAcrossVoid();
 	void unite(const Pair& pair);
-	using Ends = std::pair<std::uint32_t, std::uint32_t>;
 	Ends endsOf(const Pair& pair) const;
-	std::vector<Pair> pairsInCommon(const Fan& fan) const;
+	std::vector<Pair> pairsInCommon(const Fan& fan);
 	void copyVertices();
 	void addMidpoints(const std::vector<Pair>& pairs, OutputScalar scalar,
-	                  std::vector<Split>& splits);
-	bool splitFaces(std::vector<Split>& splits);
+	                  std::vector<Half>& halves);
+	bool splitFaces(std::vector<Half>& halves);
 
 	bool isSuspect(std::uint32_t v) const { return block_.suspect[v] != 0; }
 	std::uint32_t cornerAt(std::uint32_t halfEdge, bool low) const {
 		const HalfEdge& h = halfEdges_[halfEdge];
-		const std::size_t corner = low ? h.cornerAtLow() : h.cornerAtHigh();
+		const std::size_t corner = low ? cornerAtLow(h) : cornerAtHigh(h);
 		return 3 * h.face + static_cast<std::uint32_t>(corner);
 	}
 
@@ -102,14 +115,15 @@ private:
 	SortFan sortFan_;
 	Monitor& monitor_;
 	std::vector<std::uint32_t> faces_;  // of the block, at suspect vertices
-	std::vector<HalfEdge> halfEdges_;   // with a suspect end; sorted by edge
+	std::vector<HalfEdge> halfEdges_;   // of these, listed locally, with a suspect end; by edge
 	std::vector<Pair> simplePairs_;     // at edges with two faces
 	std::vector<Fan> fans_;
-	UnionFind corners_;  // of the listed faces, three each; sets: umbrellas
+	UnionFind corners_;       // of the listed faces, three each; sets: umbrellas
+	std::vector<Ends> ends_;  // of a fan's pairs, while they are compared
 };
 
-// The part of a face at one side of a split edge.
-struct Separator::Split {
+// One of the two faces at a split edge: its edge from the given corner on gets a midpoint.
+struct Separator::Half {
 	std::uint32_t face;  // of the block
 	std::uint8_t corner;
 	std::uint32_t midpoint;
@@ -126,57 +140,50 @@ void Separator::collectHalfEdges(std::size_t firstFace) {
 		for (std::size_t i = 0; i < 3; ++i) {
 			const std::uint32_t from = t[i], to = t[next(i)];
 			if (isSuspect(from) || isSuspect(to)) {
-				halfEdges_.push_back({std::min(from, to), std::max(from, to), face,
-				                      static_cast<std::uint8_t>(i), from < to});
+				halfEdges_.push_back(makeHalfEdge(from, to, face, i));
 			}
 		}
 	}
-	std::sort(halfEdges_.begin(), halfEdges_.end(), [](const HalfEdge& a, const HalfEdge& b) {
-		return a.low != b.low     ? a.low < b.low
-		       : a.high != b.high ? a.high < b.high
-		                          : a.face < b.face;
-	});
 }
 
 void Separator::findPairs() {
-	for (std::size_t begin = 0; begin < halfEdges_.size();) {
-		std::size_t end = begin + 1;
-		while (end < halfEdges_.size() && halfEdges_[end].sameEdge(halfEdges_[begin])) {
-			++end;
-		}
+	forEachEdge(halfEdges_, [this](auto first, auto last) {
+		const auto begin = static_cast<std::uint32_t>(first - halfEdges_.begin());
+		const auto end = static_cast<std::uint32_t>(last - halfEdges_.begin());
 		if (end - begin == 2) {
-			simplePairs_.push_back(
-			    {static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(begin + 1)});
+			simplePairs_.push_back({begin, begin + 1});
 		} else {
 			addFan(begin, end);
 		}
-		begin = end;
-	}
+	});
 }
 
-void Separator::addFan(std::size_t begin, std::size_t end) {
+void Separator::addFan(std::uint32_t begin, std::uint32_t end) {
 	Fan fan;
 	std::vector<FanFace> faces;
-	for (std::size_t h = begin; h < end; ++h) {
+	for (std::uint32_t h = begin; h < end; ++h) {
 		const std::uint32_t face = faces_[halfEdges_[h].face];
 		const std::size_t apex = next(next(halfEdges_[h].corner));
 		faces.push_back({face, block_.triangles[face][apex], halfEdges_[h].forward});
 	}
 	std::vector<RadialPlace> places;
 	if (sortFan_(halfEdges_[begin].low, halfEdges_[begin].high, faces, places)) {
-		// In one place, the face that ends a solid comes before one that begins another.
+		// In one place, the face that ends a solid comes before one that begins another. What then
+		// is alike only rounding has brought together: the order is that of coordinates.
 		const auto before = [&](RadialPlace a, RadialPlace b) {
-			const bool aEnds = halfEdges_[begin + a.index].forward;
-			const bool bEnds = halfEdges_[begin + b.index].forward;
-			return a.slot != b.slot ? a.slot < b.slot : aEnds && !bEnds;
+			const FanFace &f = faces[a.index], &g = faces[b.index];
+			if (a.slot != b.slot || f.forward != g.forward) {
+				return a.slot != b.slot ? a.slot < b.slot : f.forward;
+			}
+			return block_.points[f.apex] < block_.points[g.apex];
 		};
 		std::stable_sort(places.begin(), places.end(), before);
 		for (const RadialPlace place : places) {
-			fan.around.push_back(static_cast<std::uint32_t>(begin + place.index));
+			fan.around.push_back(begin + place.index);
 		}
 	} else {
-		for (std::size_t h = begin; h < end; ++h) {
-			fan.around.push_back(static_cast<std::uint32_t>(h));
+		for (std::uint32_t h = begin; h < end; ++h) {
+			fan.around.push_back(h);
 		}
 	}
 	pairUp(fan);
@@ -241,14 +248,21 @@ Separator::Ends Separator::endsOf(const Pair& pair) const {
 }
 
 // The pairs of a fan that have both ends in common with another one.
-std::vector<Pair> Separator::pairsInCommon(const Fan& fan) const {
-	std::vector<Pair> pairs;
+std::vector<Pair> Separator::pairsInCommon(const Fan& fan) {
+	ends_.clear();
 	for (const Pair& pair : fan.pairs) {
-		const auto sameEnds = [&](const Pair& p) { return endsOf(p) == endsOf(pair); };
-		if (std::count_if(fan.pairs.begin(), fan.pairs.end(), sameEnds) > 1) {
-			pairs.push_back(pair);
-		}
+		ends_.push_back(endsOf(pair));
 	}
+	std::sort(ends_.begin(), ends_.end());
+	std::vector<Pair> pairs;
+	if (std::adjacent_find(ends_.begin(), ends_.end()) == ends_.end()) {
+		return pairs;
+	}
+	std::copy_if(fan.pairs.begin(), fan.pairs.end(), std::back_inserter(pairs),
+	             [this](const Pair& pair) {
+		             const auto alike = std::equal_range(ends_.begin(), ends_.end(), endsOf(pair));
+		             return alike.second - alike.first > 1;
+	             });
 	return pairs;
 }
 
@@ -277,15 +291,8 @@ void Separator::copyVertices() {
 	}
 }
 
-Status Separator::run(std::size_t firstFace) {
-	collectHalfEdges(firstFace);
-	Status status;
-	if (pollCancelled(monitor_)) {
-		status.code = StatusCode::Cancelled;
-		return status;
-	}
-	findPairs();
-	uniteUmbrellas();
+// Fans whose pairs across the solid do not come apart are paired across the void.
+void Separator::pairAcrossVoid() {
 	bool changed = false;
 	for (Fan& fan : fans_) {
 		if (!pairsInCommon(fan).empty()) {
@@ -296,11 +303,23 @@ Status Separator::run(std::size_t firstFace) {
 	if (changed) {
 		uniteUmbrellas();
 	}
-	if (pollCancelled(monitor_)) {
-		status.code = StatusCode::Cancelled;
-		return status;
+}
+
+Status Separator::run(std::size_t firstFace) {
+	const auto poll = [this] {
+		return statusOf(pollCancelled(monitor_) ? StatusCode::Cancelled : StatusCode::Ok);
+	};
+	collectHalfEdges(firstFace);
+	Status status = poll();
+	if (status.ok()) {
+		findPairs();
+		uniteUmbrellas();
+		pairAcrossVoid();
+		status = poll();
 	}
-	copyVertices();
+	if (status.ok()) {
+		copyVertices();
+	}
 	return status;
 }
 
@@ -319,12 +338,12 @@ Point middle(const Point& a, const Point& b, OutputScalar scalar) {
 // A midpoint for each of the pairs at one edge, for the two faces of the pair. None if the edge is
 // too short for one.
 void Separator::addMidpoints(const std::vector<Pair>& pairs, OutputScalar scalar,
-                             std::vector<Split>& splits) {
+                             std::vector<Half>& halves) {
 	const auto point = [&](const HalfEdge& h, std::size_t corner) -> const Point& {
 		return block_.points[block_.triangles[faces_[h.face]][corner]];
 	};
 	const HalfEdge& edge = halfEdges_[pairs[0].first];
-	const Point a = point(edge, edge.cornerAtLow()), b = point(edge, edge.cornerAtHigh());
+	const Point a = point(edge, cornerAtLow(edge)), b = point(edge, cornerAtHigh(edge));
 	const Point m = middle(a, b, scalar);
 	const auto isTooShort = [&](std::uint32_t h) {
 		const Point& apex = point(halfEdges_[h], next(next(halfEdges_[h].corner)));
@@ -341,7 +360,7 @@ void Separator::addMidpoints(const std::vector<Pair>& pairs, OutputScalar scalar
 		block_.vertexSource.push_back(VertexId::none());
 		block_.suspect.push_back(0);
 		for (const std::uint32_t h : {pair.first, pair.second}) {
-			splits.push_back({faces_[halfEdges_[h].face], halfEdges_[h].corner, vertex});
+			halves.push_back({faces_[halfEdges_[h].face], halfEdges_[h].corner, vertex});
 		}
 	}
 }
@@ -375,23 +394,24 @@ IndexTriangles cutTriangle(const IndexTriangle& t, const IndexTriangle& middles,
 
 // Splits faces at the midpoints on their edges. False, and nothing changed, if a piece would have
 // no area.
-bool Separator::splitFaces(std::vector<Split>& splits) {
-	std::sort(splits.begin(), splits.end(),
-	          [](const Split& a, const Split& b) { return a.face < b.face; });
+bool Separator::splitFaces(std::vector<Half>& halves) {
+	std::sort(halves.begin(), halves.end(),
+	          [](const Half& a, const Half& b) { return a.face < b.face; });
 	IndexTriangles pieces;
 	std::vector<std::uint32_t> parents;
-	for (std::size_t i = 0; i < splits.size();) {
-		const std::uint32_t face = splits[i].face;
+	const auto sameFace = [](const Half& a, const Half& b) { return a.face == b.face; };
+	forEachGroup(halves.begin(), halves.end(), sameFace, [&](auto first, auto last) {
+		const std::uint32_t face = first->face;
 		IndexTriangle middles{kNone, kNone, kNone};
-		for (; i < splits.size() && splits[i].face == face; ++i) {
-			middles[splits[i].corner] = splits[i].midpoint;
+		for (auto half = first; half != last; ++half) {
+			middles[half->corner] = half->midpoint;
 		}
 		for (const IndexTriangle& piece :
 		     cutTriangle(block_.triangles[face], middles, block_.points)) {
 			pieces.push_back(piece);
 			parents.push_back(face);
 		}
-	}
+	});
 	const auto& points = block_.points;
 	if (std::any_of(pieces.begin(), pieces.end(), [&](const IndexTriangle& t) {
 		    return hasZeroArea(points[t[0]], points[t[1]], points[t[2]]);
@@ -411,14 +431,14 @@ bool Separator::splitFaces(std::vector<Split>& splits) {
 
 void Separator::insertMidpoints(OutputScalar scalar) {
 	const std::size_t pointCount = block_.points.size();
-	std::vector<Split> splits;
+	std::vector<Half> halves;
 	for (const Fan& fan : fans_) {
 		const std::vector<Pair> pairs = pairsInCommon(fan);
 		if (!pairs.empty()) {
-			addMidpoints(pairs, scalar, splits);
+			addMidpoints(pairs, scalar, halves);
 		}
 	}
-	if (splitFaces(splits)) {
+	if (splitFaces(halves)) {
 		block_.verticesCopied += block_.points.size() - pointCount;
 		return;
 	}
@@ -432,9 +452,7 @@ bool anySuspect(const Block& block) {
 }
 
 // One round separates the sheets at an edge into two groups at least, unless the order of faces
-// around edges contradicts itself: rounds are repeated while they help. Why: around a vertex, the
-// surface leaves closed lines on a small sphere. Where two solids at an edge have a line in common,
-// they are one solid elsewhere, so that two of the voids between them are parted.
+// around edges contradicts itself: rounds are repeated while they help.
 template <class Finish>
 Status separate(Block& block, std::size_t firstFace, const SortFan& sortFan, Monitor& monitor,
                 Finish&& finish) {
