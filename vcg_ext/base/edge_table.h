@@ -90,15 +90,22 @@ void forEachEdge(HalfEdges& halfEdges, Visit&& visit) {
 	forEachSortedEdge(halfEdges.begin(), halfEdges.end(), visit);
 }
 
-// Sorts the half-edges and calls visit(a, b) for the half-edges of each edge that has two, against
-// each other, and no more. Complexity: O(n log n).
+// Calls visit(a, b) for the half-edges of each edge that has two, against each other, and no more.
+// \pre those of one edge are neighbours. Complexity: O(n).
 template <class HalfEdges, class Visit>
-void forEachManifoldEdge(HalfEdges& halfEdges, Visit&& visit) {
-	forEachEdge(halfEdges, [&visit](auto first, auto last) {
+void forEachSortedManifoldEdge(const HalfEdges& halfEdges, Visit&& visit) {
+	forEachSortedEdge(halfEdges.begin(), halfEdges.end(), [&visit](auto first, auto last) {
 		if (last - first == 2 && first[0].forward != first[1].forward) {
 			visit(first[0], first[1]);
 		}
 	});
+}
+
+// The same for half-edges in any order, which it sorts. Complexity: O(n log n).
+template <class HalfEdges, class Visit>
+void forEachManifoldEdge(HalfEdges& halfEdges, Visit&& visit) {
+	std::sort(halfEdges.begin(), halfEdges.end());
+	forEachSortedManifoldEdge(halfEdges, visit);
 }
 
 }  // namespace index_boolean

@@ -12,32 +12,25 @@
 
 namespace index_boolean {
 
-// Boxes, halved again and again by where their middles lie.
+// Boxes in an order that keeps neighbours together, and boxes around each few of them.
 class BoxTree {
 public:
-	// \param boxes none of them empty; copied. Throws std::bad_alloc.
+	// \param boxes none of them empty. Throws std::bad_alloc.
 	// Complexity: O(n log n).
-	explicit BoxTree(const std::vector<BoundingBox>& boxes);
+	explicit BoxTree(std::vector<BoundingBox> boxes);
 
 	// Appends the boxes that a point lies in, their borders included, by index, in no order.
-	// Throws std::bad_alloc. Any thread.
+	// Throws std::bad_alloc. Any thread may ask.
 	// Complexity: O(log n + k) for k boxes near the point, as long as boxes overlap little.
 	void find(const Point& p, std::vector<std::uint32_t>& out) const;
 
 private:
-	// The boxes order_[first .. last). The lower half is the next node, the upper one is `upper`;
-	// kNone in a node that has no halves.
-	struct Node {
-		BoundingBox box;
-		std::uint32_t first, last, upper;
-	};
+	void findBelow(const Point& p, std::size_t level, std::size_t box,
+	               std::vector<std::uint32_t>& out) const;
 
-	void build(const std::vector<BoundingBox>& boxes, std::uint32_t first, std::uint32_t last);
-	void find(const Point& p, std::uint32_t node, std::vector<std::uint32_t>& out) const;
-
-	std::vector<std::uint32_t> order_;  // of the boxes, by index
-	std::vector<BoundingBox> boxes_;    // in that order
-	std::vector<Node> nodes_;
+	std::vector<std::uint32_t> order_;              // of the boxes, by index
+	std::vector<std::vector<BoundingBox>> levels_;  // the boxes in order; around each few of them;
+	                                                // and so on up to one
 };
 
 }  // namespace index_boolean

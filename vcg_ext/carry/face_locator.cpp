@@ -178,10 +178,11 @@ const BoxTree& FaceLocator::treeOf(std::uint32_t part) const {
 	                      [](const LargePart& l, std::uint32_t wanted) { return l.part < wanted; });
 	std::call_once(large.isBuilt, [&] {
 		std::vector<BoundingBox> boxes;
+		boxes.reserve(begin_[part + 1] - begin_[part]);
 		for (std::uint32_t i = begin_[part]; i < begin_[part + 1]; ++i) {
 			boxes.push_back(boxOf(members_[i]));
 		}
-		large.tree = std::make_unique<BoxTree>(boxes);
+		large.tree = std::make_unique<BoxTree>(std::move(boxes));
 	});
 	return *large.tree;
 }

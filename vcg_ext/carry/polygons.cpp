@@ -5,32 +5,49 @@
 // faces are two fewer: its Euler number is then one, which no other surface with a border has.
 #include "vcg_ext/carry/polygons.h"
 
+#include "vcg_ext/base/bucket_sort.h"
 #include "vcg_ext/base/edge_table.h"
 #include "vcg_ext/base/parallel.h"
 #include "vcg_ext/base/union_find.h"
 
 #include <algorithm>
+#include <functional>
 
 namespace index_boolean {
 
 namespace {
 
+// A vertex of a set of pieces.
+struct SetVertex {
+	std::uint32_t vertex, set;
+
+	friend bool operator==(const SetVertex& a, const SetVertex& b) {
+		return a.vertex == b.vertex && a.set == b.set;
+	}
+	friend bool operator<(const SetVertex& a, const SetVertex& b) {
+		return a.vertex != b.vertex ? a.vertex < b.vertex : a.set < b.set;
+	}
+};
+
 // Marks the faux edges of one finished mesh.
 class Marker {
 public:
-	Marker(const Arrangement& arrangement, const std::vector<std::uint32_t>& part,
+	Marker(const Arrangement& arrangement, const std::vector<std::uint32_t>& part, Monitor& monitor,
 	       SourcedMesh& output)
-	    : arrangement_(arrangement), mesh_(arrangement.mesh), part_(part), output_(output) {}
+	    : arrangement_(arrangement), mesh_(arrangement.mesh), part_(part), monitor_(monitor),
+	      output_(output) {}
 
-	void run();
+	Status run();
 
 private:
 	bool isWhole(std::size_t face, std::uint8_t& faux) const;
 	void countWholeFaces();
 	void markIntact();
 	void listHalfEdges();
+	Status sortHalfEdges();
 	void joinPieces();
-	void findSimple();
+	Status findSimple();
+	void markSimple();
 
 	std::uint32_t polygonOf(std::size_t face) const {
 		return at(arrangement_.polygons.polygon, output_.faceSource[face].face).value;
@@ -44,6 +61,7 @@ private:
 	const Arrangement& arrangement_;
 	const MeshArrays& mesh_;
 	const std::vector<std::uint32_t>& part_;
+	Monitor& monitor_;
 	SourcedMesh& output_;
 	std::vector<std::uint32_t> size_;  // faces of a polygon, at its first face
 	std::vector<std::uint32_t>
@@ -126,13 +144,18 @@ void Marker::listHalfEdges() {
 	}
 }
 
+Status Marker::sortHalfEdges() {
+	return sortByEdge(halfEdges_, output_.points.size(), arrangement_.options.threads, monitor_);
+}
+
+// \pre the half-edges are sorted
 void Marker::joinPieces() {
 	UnionFind sets(output_.triangles.size());
 	std::vector<std::uint8_t> isBroken(output_.triangles.size(), 0);
 	for (const std::uint32_t f : broken_) {
 		isBroken[f] = 1;
 	}
-	forEachManifoldEdge(halfEdges_, [&](const HalfEdge& a, const HalfEdge& b) {
+	forEachSortedManifoldEdge(halfEdges_, [&](const HalfEdge& a, const HalfEdge& b) {
 		if (isBroken[a.face] != 0 && isBroken[b.face] != 0 && sideOf(a.face) == sideOf(b.face) &&
 		    partOf(a.face) == partOf(b.face)) {
 			inner_.push_back({a, b});
@@ -146,57 +169,56 @@ void Marker::joinPieces() {
 	}
 }
 
-void Marker::findSimple() {
-	std::vector<std::uint32_t> faces(set_.size(), 0), corners(set_.size(), 0);
-	std::vector<std::array<std::uint32_t, 2>> starts;  // of edges, by set and vertex
-	std::vector<std::uint8_t> inner(set_.size(), 0);
+// Each vertex of a simple polygon begins one edge of its border.
+Status Marker::findSimple() {
+	std::vector<std::uint8_t> inner(set_.size(), 0);  // as faux edges are marked
 	for (const auto& pair : inner_) {
 		for (const HalfEdge& h : pair) {
 			markFaux(inner[h.face], h.corner);
 		}
 	}
-	isSimple_.assign(set_.size(), 1);
-	std::vector<std::array<std::uint32_t, 2>> used;
+	std::vector<std::uint32_t> faces(set_.size(), 0), corners(set_.size(), 0);
+	std::vector<SetVertex> used,
+	    starts;  // corners of faces; those that an edge of the border leaves
+	used.reserve(3 * broken_.size());
 	for (const std::uint32_t f : broken_) {
 		++faces[set_[f]];
 		for (std::size_t i = 0; i < 3; ++i) {
-			used.push_back({set_[f], output_.triangles[f][i]});
+			used.push_back({output_.triangles[f][i], set_[f]});
 			if (!isFaux(inner[f], i)) {
 				starts.push_back(used.back());
 				++corners[set_[f]];
 			}
 		}
 	}
-	std::sort(starts.begin(), starts.end());
-	std::sort(used.begin(), used.end());
-	used.erase(std::unique(used.begin(), used.end()), used.end());
-	// Each vertex begins one edge of the border: the lists are equal, set by set.
-	for (std::size_t i = 0; i + 1 < starts.size(); ++i) {
-		if (starts[i] == starts[i + 1]) {
-			isSimple_[starts[i][0]] = 0;
+	const auto sort = [this](std::vector<SetVertex>& list) {
+		return bucketSort(
+		    list, output_.points.size(), [](const SetVertex& v) { return v.vertex; }, std::less<>(),
+		    arrangement_.options.threads, monitor_);
+	};
+	const Status status = inOrder([&] { return sort(used); }, [&] { return sort(starts); });
+	isSimple_.assign(set_.size(), 1);
+	auto start = starts.begin();
+	const auto begins = [&](auto first, auto) {
+		const auto end =
+		    std::find_if_not(start, starts.end(), [&](const SetVertex& v) { return v == *first; });
+		if (end - start != 1) {
+			isSimple_[first->set] = 0;
 		}
-	}
-	for (const auto& u : used) {
-		if (!std::binary_search(starts.begin(), starts.end(), u)) {
-			isSimple_[u[0]] = 0;
-		}
+		start = end;
+	};
+	if (status.ok()) {
+		forEachGroup(used.begin(), used.end(), std::equal_to<>(), begins);
 	}
 	for (const std::uint32_t f : broken_) {
 		if (faces[set_[f]] + 2 != corners[set_[f]]) {
 			isSimple_[set_[f]] = 0;
 		}
 	}
+	return status;
 }
 
-void Marker::run() {
-	countWholeFaces();
-	markIntact();
-	// Faces merged across polygons belong to none of them.
-	if (!broken_.empty() && !arrangement_.options.mergeCoplanar) {
-		listHalfEdges();
-		joinPieces();
-		findSimple();
-	}
+void Marker::markSimple() {
 	for (const auto& pair : inner_) {
 		for (const HalfEdge& h : pair) {
 			if (isSimple_[set_[h.face]] != 0) {
@@ -204,9 +226,28 @@ void Marker::run() {
 			}
 		}
 	}
+}
+
+Status Marker::run() {
+	countWholeFaces();
+	markIntact();
+	Status status;
+	// Faces merged across polygons belong to none of them.
+	if (!broken_.empty() && !arrangement_.options.mergeCoplanar) {
+		listHalfEdges();
+		status = sortHalfEdges();
+		if (status.ok()) {
+			joinPieces();
+			status = findSimple();
+		}
+	}
+	if (status.ok()) {
+		markSimple();
+	}
 	if (std::none_of(output_.faux.begin(), output_.faux.end(), [](std::uint8_t m) { return m; })) {
 		output_.faux.clear();
 	}
+	return status;
 }
 
 }  // namespace
@@ -215,10 +256,9 @@ Status findFauxEdges(const Arrangement& arrangement, const std::vector<std::uint
                      Monitor& monitor, SourcedMesh& mesh) {
 	Status status;
 	if (!arrangement.polygons.polygon.empty()) {
-		Marker(arrangement, part, mesh).run();
+		status = Marker(arrangement, part, monitor, mesh).run();
 	}
-	status.code = pollCancelled(monitor) ? StatusCode::Cancelled : StatusCode::Ok;
-	return status;
+	return status.ok() && pollCancelled(monitor) ? statusOf(StatusCode::Cancelled) : status;
 }
 
 }  // namespace index_boolean
