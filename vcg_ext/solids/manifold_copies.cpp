@@ -28,6 +28,7 @@
 #include "vcg_ext/solids/manifold_copies.h"
 
 #include "vcg_ext/arrange/radial_order.h"
+#include "vcg_ext/base/bucket_sort.h"
 #include "vcg_ext/base/edge_table.h"
 #include "vcg_ext/base/parallel.h"
 #include "vcg_ext/base/union_find.h"
@@ -91,6 +92,7 @@ private:
 	struct Half;
 	using Ends = std::pair<std::uint32_t, std::uint32_t>;
 	void collectHalfEdges(std::size_t firstFace);
+	Status sortHalfEdges();
 	void findPairs();
 	void addFan(std::uint32_t begin, std::uint32_t end);
 	void pairUp(Fan& fan) const;
@@ -146,8 +148,22 @@ void Separator::collectHalfEdges(std::size_t firstFace) {
 	}
 }
 
+// By their higher vertex first: a vertex that many edges share is old, and so the lower one of most
+// of them, while each higher one has few.
+Status Separator::sortHalfEdges() {
+	return bucketSort(
+	    halfEdges_, block_.points.size(), [](const HalfEdge& h) { return h.high; },
+	    [](const HalfEdge& a, const HalfEdge& b) {
+		    return a.high != b.high ? a.high < b.high
+		           : a.low != b.low ? a.low < b.low
+		                            : a.face < b.face;
+	    },
+	    1, monitor_);
+}
+
+// \pre the half-edges are sorted
 void Separator::findPairs() {
-	forEachEdge(halfEdges_, [this](auto first, auto last) {
+	forEachSortedEdge(halfEdges_.begin(), halfEdges_.end(), [this](auto first, auto last) {
 		const auto begin = static_cast<std::uint32_t>(first - halfEdges_.begin());
 		const auto end = static_cast<std::uint32_t>(last - halfEdges_.begin());
 		if (end - begin == 2) {
@@ -310,7 +326,7 @@ Status Separator::run(std::size_t firstFace) {
 		return statusOf(pollCancelled(monitor_) ? StatusCode::Cancelled : StatusCode::Ok);
 	};
 	collectHalfEdges(firstFace);
-	Status status = poll();
+	Status status = sortHalfEdges();
 	if (status.ok()) {
 		findPairs();
 		uniteUmbrellas();
@@ -432,6 +448,12 @@ bool Separator::splitFaces(std::vector<Half>& halves) {
 void Separator::insertMidpoints(OutputScalar scalar) {
 	const std::size_t pointCount = block_.points.size();
 	std::vector<Half> halves;
+	const auto edgeOf = [this](const Fan& fan) {
+		const HalfEdge& h = halfEdges_[fan.around[0]];
+		return std::array{h.low, h.high};
+	};
+	std::sort(fans_.begin(), fans_.end(),
+	          [&](const Fan& a, const Fan& b) { return edgeOf(a) < edgeOf(b); });
 	for (const Fan& fan : fans_) {
 		const std::vector<Pair> pairs = pairsInCommon(fan);
 		if (!pairs.empty()) {
