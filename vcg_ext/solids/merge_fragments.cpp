@@ -1,18 +1,39 @@
 // SPDX-FileCopyrightText: 2026 The Index Boolean authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// One vertex after another goes: the faces around it, all in one plane or in two, are replaced by a
-// triangulation of the polygon they leave. Seen from the vertex that polygon is a star, so cutting
-// off ears needs no search among other corners. The order is that of a hash of the coordinates:
-// like chance, which keeps the polygons small, but the same in every numbering.
+// One vertex after another goes, with the faces around it; what they leave is filled with faces
+// that do without it.
+//
+//      5 ------- 4         One group: all faces at v lie in one plane, front up. Their edges
+//      | \     / |         opposite v are a cycle, its star, here 1 to 6. The polygon of the star
+//      6 -- v -- 3         is filled again: two triangles fewer.
+//      | /     \ |         Two groups: the faces above the line 6 v 3 lie in one plane, those
+//      1 ------- 2         below it in another. The line goes straight on at v, and is an edge
+//                          from 6 to 3 afterwards: each side of it is filled on its own.
+//
+// Why the point set stays: seen from v, the corners of its star follow each other all the way round
+// in one plane, or half of the way in each of two, so the faces at v cover just the polygons that
+// are filled (star_polygon.cpp).
+// Why closed stays closed, and a manifold a manifold: the new faces have the star as their border,
+// as the old ones had. Inside, each cut has two of them, and no face elsewhere, since a cut between
+// corners that are neighbours already is refused.
+// Why a vertex that stays is never left inside a face: what is taken away lies in the faces at v,
+// none of which has a vertex inside.
+//
+// What is chosen depends on places alone, exactly compared, not on numbers. A star begins with its
+// smallest corner, a hole of one group with the same; a hole of two with an end of the line. That
+// corner is where filling begins, and the old face there is whose source the new ones take. The
+// order of the vertices is that of a hash of the coordinates: like chance, which keeps the polygons
+// small, but the same in every numbering.
 #include "vcg_ext/solids/merge_fragments.h"
 
 #include "vcg_ext/arrange/joined_polygons.h"
 #include "vcg_ext/arrange/places.h"
+#include "vcg_ext/base/edge_table.h"
 #include "vcg_ext/base/parallel.h"
 #include "vcg_ext/base/union_find.h"
 #include "vcg_ext/exact/coordinate_hash.h"
-#include "vcg_ext/exact/exact_sign.h"
+#include "vcg_ext/solids/star_polygon.h"
 
 #include <algorithm>
 
@@ -22,7 +43,7 @@ namespace {
 
 // A face at a vertex that may go. Faces of one group lie in one plane and are joined; `origin` is
 // the block's face that it is, or that it replaces with others.
-struct LocalFace {
+struct StarFace {
 	IndexTriangle corners;
 	std::uint32_t group;
 	std::uint32_t origin;
@@ -35,11 +56,14 @@ struct LinkEdge {
 	std::uint32_t face;
 };
 
-// The polygon that faces of one group leave, from the vertex that went.
+// The edges opposite a vertex, each from where the one before ends, and the last back to the first.
+using Star = std::vector<LinkEdge>;
+
+// The polygon that faces of one group leave when a vertex goes.
 struct Hole {
 	std::vector<std::uint32_t> corners;  // counter-clockwise seen from outside
-	std::uint32_t group;
-	std::uint32_t origin;
+	std::uint32_t group;                 // of the faces that fill it
+	std::uint32_t origin;                // theirs too
 };
 
 class Merger {
@@ -59,19 +83,28 @@ private:
 	bool liesInPolygon(VertexId v) const;
 	void keepCopies();
 	void sortCandidates();
-	Points linkPoints(std::uint32_t v) const;
-	bool findStar(std::uint32_t v, std::vector<LinkEdge>& star) const;
-	void tryRemove(std::uint32_t v);
-	bool fill(const Hole& hole, std::uint32_t v, std::vector<LocalFace>& out) const;
+	std::vector<LinkEdge> linkOf(std::uint32_t v) const;
+	bool findStar(std::uint32_t v, Star& star) const;
+	bool listHoles(std::uint32_t v, const Star& star, std::vector<Hole>& holes) const;
+	Hole holeOf(const Star& star, std::size_t begin, std::size_t end) const;
+	bool isStraight(std::uint32_t a, std::uint32_t v, std::uint32_t b, std::uint32_t face) const;
+	bool fill(const Hole& hole, std::uint32_t v, std::vector<StarFace>& out) const;
 	bool isFree(std::uint32_t a, std::uint32_t b) const;
-	void compact();
+	void tryRemove(std::uint32_t v);
+	void replace(const Star& star, const std::vector<StarFace>& filling);
+	void compactFaces();
+	void compactVertices();
 
 	bool wholeBlock() const { return arrangement_.options.mergeCoplanar; }
 	ExactPoint exact(std::uint32_t v) const {
 		return exactPoint(arrangement_, block_.vertexSource[v]);
 	}
-	const Point& place(std::uint32_t v) const {
+	const Point& roundedPlace(std::uint32_t v) const {
 		return arrangement_.coordinates(block_.vertexSource[v]);
+	}
+	// Whether a vertex comes before another one by its exact place.
+	bool isBefore(std::uint32_t a, std::uint32_t b) const {
+		return comparePlaces(arrangement_, block_.vertexSource[a], block_.vertexSource[b]) < 0;
 	}
 	const FaceSource& sourceOf(std::uint32_t face) const {
 		return block_.faceSource[faces_[face].origin];
@@ -84,7 +117,7 @@ private:
 	std::vector<std::uint8_t> isCandidate_;  // per vertex of the block
 	std::vector<std::uint8_t> isFixed_;      // per vertex of the block: an input face's corner
 	std::vector<std::uint32_t> candidates_;
-	std::vector<LocalFace> faces_;
+	std::vector<StarFace> faces_;
 	std::vector<std::vector<std::uint32_t>> facesAt_;  // per vertex of the block; dead ones too
 	std::vector<std::uint8_t> removed_;                // per vertex of the block
 	std::size_t originalCount_ = 0;                    // of the faces, those of the block
@@ -120,15 +153,15 @@ void Merger::keepCopies() {
 	const auto source = [this](std::uint32_t v) { return block_.vertexSource[v]; };
 	std::sort(candidates_.begin(), candidates_.end(),
 	          [&](std::uint32_t a, std::uint32_t b) { return source(a) < source(b); });
+	const auto sameSource = [&](std::uint32_t a, std::uint32_t b) {
+		return source(a) == source(b);
+	};
 	std::size_t kept = 0;
-	for (std::size_t i = 0, end = 0; i < candidates_.size(); i = end) {
-		while (end < candidates_.size() && source(candidates_[end]) == source(candidates_[i])) {
-			++end;
+	forEachGroup(candidates_.begin(), candidates_.end(), sameSource, [&](auto first, auto last) {
+		if (last - first == 1) {
+			candidates_[kept++] = *first;
 		}
-		if (end - i == 1) {
-			candidates_[kept++] = candidates_[i];
-		}
-	}
+	});
 	candidates_.resize(kept);
 }
 
@@ -157,7 +190,7 @@ void Merger::collectFaces() {
 // Faces of a polygon that lie in one plane count as one input face.
 void Merger::groupByParent() {
 	const std::vector<FaceId>& flat = arrangement_.polygons.flat;
-	for (LocalFace& face : faces_) {
+	for (StarFace& face : faces_) {
 		const FaceSource& source = block_.faceSource[face.origin];
 		const FaceId parent = flat.empty() ? source.face : at(flat, source.face);
 		face.group = 2 * parent.value + (source.turned ? 1 : 0);
@@ -187,96 +220,70 @@ bool Merger::coplanar(std::uint32_t f, std::uint32_t g) const {
 }
 
 void Merger::groupByPlane() {
-	struct Side {
-		std::uint32_t low, high, face;
-	};
-	std::vector<Side> sides;
-	for (std::uint32_t f = 0; f < faces_.size(); ++f) {
+	std::vector<HalfEdge> halfEdges;
+	for (std::size_t f = 0; f < faces_.size(); ++f) {
+		const IndexTriangle& t = faces_[f].corners;
 		for (std::size_t i = 0; i < 3; ++i) {
-			const auto edge =
-			    std::minmax(faces_[f].corners[i], faces_[f].corners[i == 2 ? 0 : i + 1]);
-			sides.push_back({edge.first, edge.second, f});
+			halfEdges.push_back(makeHalfEdge(t[i], t[i == 2 ? 0 : i + 1], f, i));
 		}
 	}
-	std::sort(sides.begin(), sides.end(), [](const Side& a, const Side& b) {
-		return a.low != b.low     ? a.low < b.low
-		       : a.high != b.high ? a.high < b.high
-		                          : a.face < b.face;
-	});
 	UnionFind planes(faces_.size());
-	for (std::size_t i = 0; i < sides.size();) {
-		std::size_t end = i + 1;
-		while (end < sides.size() && sides[end].low == sides[i].low &&
-		       sides[end].high == sides[i].high) {
-			++end;
+	forEachEdge(halfEdges, [&](auto first, auto last) {
+		if (last - first == 2 && coplanar(first[0].face, first[1].face)) {
+			planes.unite(first[0].face, first[1].face);
 		}
-		if (end - i == 2 && coplanar(sides[i].face, sides[i + 1].face)) {
-			planes.unite(sides[i].face, sides[i + 1].face);
-		}
-		i = end;
-	}
+	});
 	for (std::uint32_t f = 0; f < faces_.size(); ++f) {
 		faces_[f].group = planes.find(f);
 	}
 }
 
-// The places of a vertex's neighbours, sorted: what tells copies of one vertex apart.
-Points Merger::linkPoints(std::uint32_t v) const {
-	Points points;
-	for (const std::uint32_t face : facesAt_[v]) {
-		for (const std::uint32_t corner : faces_[face].corners) {
-			points.push_back(place(corner));
-		}
-	}
-	std::sort(points.begin(), points.end());
-	return points;
-}
-
+// \pre no two candidates are copies of one vertex
 void Merger::sortCandidates() {
-	struct Key {
+	struct Hashed {
 		std::uint64_t hash;
 		std::uint32_t vertex;
 	};
-	std::vector<Key> keys;
+	std::vector<Hashed> hashed;
 	for (const std::uint32_t v : candidates_) {
-		keys.push_back({coordinateHash(place(v)), v});
+		hashed.push_back({coordinateHash(roundedPlace(v)), v});
 	}
-	std::sort(keys.begin(), keys.end(), [this](const Key& a, const Key& b) {
-		if (a.hash != b.hash) {
-			return a.hash < b.hash;
-		}
-		if (place(a.vertex) != place(b.vertex)) {
-			return place(a.vertex) < place(b.vertex);
-		}
-		return a.vertex != b.vertex && linkPoints(a.vertex) < linkPoints(b.vertex);
+	std::sort(hashed.begin(), hashed.end(), [this](const Hashed& a, const Hashed& b) {
+		return a.hash != b.hash ? a.hash < b.hash : isBefore(a.vertex, b.vertex);
 	});
-	std::transform(keys.begin(), keys.end(), candidates_.begin(),
-	               [](const Key& key) { return key.vertex; });
+	std::transform(hashed.begin(), hashed.end(), candidates_.begin(),
+	               [](const Hashed& h) { return h.vertex; });
 }
 
-// The edges opposite a vertex in cyclic order, from its lexicographically smallest neighbour on.
-// False if they are not one cycle.
-bool Merger::findStar(std::uint32_t v, std::vector<LinkEdge>& star) const {
+// The edges opposite a vertex, in any order.
+std::vector<LinkEdge> Merger::linkOf(std::uint32_t v) const {
 	std::vector<LinkEdge> edges;
 	for (const std::uint32_t face : facesAt_[v]) {
-		const LocalFace& f = faces_[face];
+		const StarFace& f = faces_[face];
 		for (std::size_t i = 0; f.alive && i < 3; ++i) {
 			if (f.corners[i] == v) {
 				edges.push_back({f.corners[(i + 1) % 3], f.corners[(i + 2) % 3], face});
 			}
 		}
 	}
-	const auto byFrom = [](const LinkEdge& a, const LinkEdge& b) { return a.from < b.from; };
-	std::sort(edges.begin(), edges.end(), byFrom);
-	star.clear();
+	return edges;
+}
+
+// The edges opposite a vertex in their order around it, from its smallest neighbour on. False if
+// they are not one cycle.
+bool Merger::findStar(std::uint32_t v, Star& star) const {
+	std::vector<LinkEdge> edges = linkOf(v);
 	if (edges.empty()) {
 		return false;
 	}
-	const auto first =
-	    std::min_element(edges.begin(), edges.end(), [this](const LinkEdge& a, const LinkEdge& b) {
-		    return place(a.from) < place(b.from);
-	    });
+	const auto byFrom = [](const LinkEdge& a, const LinkEdge& b) { return a.from < b.from; };
+	std::sort(edges.begin(), edges.end(), byFrom);
+	const auto byPlace = [this](const LinkEdge& a, const LinkEdge& b) {
+		return isBefore(a.from, b.from);
+	};
+	const auto first = std::min_element(edges.begin(), edges.end(), byPlace);
 	std::uint32_t from = first->from;
+	star.clear();
 	do {
 		const auto [begin, end] =
 		    std::equal_range(edges.begin(), edges.end(), LinkEdge{from, 0, 0}, byFrom);
@@ -294,146 +301,114 @@ bool Merger::isFree(std::uint32_t a, std::uint32_t b) const {
 	const std::uint32_t fewer = facesAt_[a].size() < facesAt_[b].size() ? a : b;
 	const std::uint32_t other = fewer == a ? b : a;
 	return std::none_of(facesAt_[fewer].begin(), facesAt_[fewer].end(), [&](std::uint32_t face) {
-		const LocalFace& f = faces_[face];
+		const StarFace& f = faces_[face];
 		return f.alive && std::find(f.corners.begin(), f.corners.end(), other) != f.corners.end();
 	});
 }
 
-// A polygon whose corners are cut off one after another.
-class Polygon {
-public:
-	explicit Polygon(std::size_t n) : next_(n), previous_(n), size_(n) {
-		for (std::size_t i = 0; i < n; ++i) {
-			next_[i] = i + 1 == n ? 0 : i + 1;
-			previous_[i] = i == 0 ? n - 1 : i - 1;
-		}
-	}
-
-	std::size_t next(std::size_t i) const { return next_[i]; }
-	std::size_t previous(std::size_t i) const { return previous_[i]; }
-	std::size_t size() const { return size_; }
-	void cutOff(std::size_t i) {
-		next_[previous_[i]] = next_[i];
-		previous_[next_[i]] = previous_[i];
-		--size_;
-	}
-
-private:
-	std::vector<std::size_t> next_, previous_;
-	std::size_t size_;
-};
-
-// Cuts the hole into triangles, ear by ear. A corner is an ear if the polygon turns left there and
-// the vertex v, from which all of the polygon is seen, stays on the left of the cut; on the cut, if
-// there is no better ear. False if that does not succeed, or if a cut is an edge elsewhere.
-bool Merger::fill(const Hole& hole, std::uint32_t v, std::vector<LocalFace>& out) const {
+// Fills the hole that a vertex leaves. False if that does not succeed, or if a cut is an edge
+// elsewhere.
+bool Merger::fill(const Hole& hole, std::uint32_t v, std::vector<StarFace>& out) const {
 	const FaceSource& source = block_.faceSource[hole.origin];
-	int sign = 0;
-	const int axis = projectionAxis(at(mesh_.triangles, source.face), mesh_.points, sign);
-	sign = source.turned ? -sign : sign;
-	std::vector<ExactPoint> points;
+	StarPolygon polygon;
+	polygon.centre = exact(v);
+	polygon.axis = projectionAxis(at(mesh_.triangles, source.face), mesh_.points, polygon.front);
+	polygon.front = source.turned ? -polygon.front : polygon.front;
 	for (const std::uint32_t corner : hole.corners) {
-		points.push_back(exact(corner));
+		polygon.corners.push_back(exact(corner));
 	}
-	const ExactPoint centre = exact(v);
-	const auto emit = [&](std::size_t i, std::size_t j, std::size_t k) {
-		out.push_back(
-		    {{hole.corners[i], hole.corners[j], hole.corners[k]}, hole.group, hole.origin, true});
+	const std::vector<std::uint32_t>& corners = hole.corners;
+	std::vector<std::array<std::size_t, 3>> triangles;
+	const auto mayCut = [&](std::size_t a, std::size_t b) {
+		return isFree(corners[a], corners[b]);
 	};
-	Polygon polygon(points.size());
-	std::size_t i = 0, misses = 0;
-	int least = 1;  // what the side of the centre has to be
-	while (polygon.size() > 3) {
-		const std::size_t before = polygon.previous(i), after = polygon.next(i);
-		if (sign * orient2d(points[before], points[i], points[after], axis) > 0 &&
-		    sign * orient2d(points[before], points[after], centre, axis) >= least) {
-			if (!isFree(hole.corners[before], hole.corners[after])) {
-				return false;
-			}
-			emit(before, i, after);
-			polygon.cutOff(i);
-			i = polygon.next(after);  // the next but one: no long thin fans
-			misses = 0;
-			least = 1;
-			continue;
-		}
-		i = after;
-		if (++misses > polygon.size()) {
-			if (least == 0) {
-				return false;
-			}
-			least = 0;
-			misses = 0;
-		}
-	}
-	const std::size_t j = polygon.next(i), k = polygon.next(j);
-	if (sign * orient2d(points[i], points[j], points[k], axis) <= 0) {
+	if (corners.size() < 3 || !fillStar(polygon, mayCut, triangles)) {
 		return false;
 	}
-	emit(i, j, k);
+	for (const auto& [i, j, k] : triangles) {
+		out.push_back({{corners[i], corners[j], corners[k]}, hole.group, hole.origin, true});
+	}
 	return true;
 }
 
-// Removes a vertex if all its faces are one group, or two groups that meet in a straight line
-// through it.
-void Merger::tryRemove(std::uint32_t v) {
-	std::vector<LinkEdge> star;
-	if (!findStar(v, star)) {
-		return;
-	}
+// The hole that the faces begin to end - 1 of a star leave, counted round and round: the corners
+// from where the first begins to where the last ends. If these are all faces, both are one corner.
+Hole Merger::holeOf(const Star& star, std::size_t begin, std::size_t end) const {
 	const std::size_t n = star.size();
+	const StarFace& face = faces_[star[begin % n].face];
+	Hole hole{{}, face.group, face.origin};
+	const std::size_t last = end - begin == n ? end - 1 : end;
+	for (std::size_t i = begin; i <= last; ++i) {
+		hole.corners.push_back(star[i % n].from);
+	}
+	return hole;
+}
+
+// Whether v lies in a straight line between a and b, all in the plane of a face.
+bool Merger::isStraight(std::uint32_t a, std::uint32_t v, std::uint32_t b,
+                        std::uint32_t face) const {
+	int sign = 0;
+	const int axis = projectionAxis(at(mesh_.triangles, sourceOf(face).face), mesh_.points, sign);
+	return orient2d(exact(a), exact(v), exact(b), axis) == 0;
+}
+
+// The holes that the faces of a star leave: one if they are one group, two if they are two groups
+// that meet in a straight line through the vertex. False if they are neither.
+bool Merger::listHoles(std::uint32_t v, const Star& star, std::vector<Hole>& holes) const {
+	const std::size_t n = star.size();
+	const auto groupOf = [&](std::size_t i) { return faces_[star[i % n].face].group; };
 	std::vector<std::size_t> changes;  // where another group begins
 	for (std::size_t i = 0; i < n; ++i) {
-		if (faces_[star[i].face].group != faces_[star[(i + n - 1) % n].face].group) {
+		if (groupOf(i) != groupOf(i + n - 1)) {
 			changes.push_back(i);
 		}
 	}
-	if (isFixed_[v] != 0 || (!changes.empty() && changes.size() != 2)) {
-		return;
-	}
-	std::vector<Hole> holes;
-	const auto addHole = [&](std::size_t begin, std::size_t end) {
-		const LocalFace& face = faces_[star[begin % n].face];
-		Hole hole{{}, face.group, face.origin};
-		for (std::size_t i = begin; i <= end; ++i) {
-			hole.corners.push_back(star[i % n].from);
-		}
-		holes.push_back(std::move(hole));
-	};
 	if (changes.empty()) {
-		addHole(0, n - 1);
-	} else {
-		const std::uint32_t a = star[changes[0]].from, b = star[changes[1]].from;
-		const Triangle& parent = at(mesh_.triangles, sourceOf(star[0].face).face);
-		int sign = 0;
-		const int axis = projectionAxis(parent, mesh_.points, sign);
-		if (orient2d(exact(a), exact(v), exact(b), axis) != 0 || !isFree(a, b)) {
-			return;
-		}
-		addHole(changes[0], changes[1]);
-		addHole(changes[1], changes[0] + n);
+		holes.push_back(holeOf(star, 0, n));
+		return true;
 	}
-	std::vector<LocalFace> filling;
-	for (const Hole& hole : holes) {
-		if (hole.corners.size() < 3 || !fill(hole, v, filling)) {
-			return;
-		}
+	if (changes.size() != 2) {
+		return false;
 	}
+	const std::uint32_t a = star[changes[0]].from, b = star[changes[1]].from;
+	if (!isStraight(a, v, b, star[0].face) || !isFree(a, b)) {
+		return false;
+	}
+	holes.push_back(holeOf(star, changes[0], changes[1]));
+	holes.push_back(holeOf(star, changes[1], changes[0] + n));
+	return true;
+}
+
+// Puts other faces in place of those of a star.
+void Merger::replace(const Star& star, const std::vector<StarFace>& filling) {
 	for (const LinkEdge& e : star) {
 		faces_[e.face].alive = false;
 	}
-	for (const LocalFace& face : filling) {
+	for (const StarFace& face : filling) {
 		for (const std::uint32_t corner : face.corners) {
 			facesAt_[corner].push_back(static_cast<std::uint32_t>(faces_.size()));
 		}
 		faces_.push_back(face);
 	}
-	removed_[v] = 1;
 }
 
-// Writes the faces back: those that stay in their order, then the new ones. Takes the removed
-// vertices out.
-void Merger::compact() {
+// Removes a vertex if the holes that it leaves can be filled.
+void Merger::tryRemove(std::uint32_t v) {
+	Star star;
+	std::vector<Hole> holes;
+	if (isFixed_[v] != 0 || !findStar(v, star) || !listHoles(v, star, holes)) {
+		return;
+	}
+	std::vector<StarFace> filling;
+	if (std::all_of(holes.begin(), holes.end(),
+	                [&](const Hole& hole) { return fill(hole, v, filling); })) {
+		replace(star, filling);
+		removed_[v] = 1;
+	}
+}
+
+// Writes the faces back: those that stay in their order, then the new ones.
+void Merger::compactFaces() {
 	std::vector<std::uint8_t> gone(block_.triangles.size(), 0);
 	IndexTriangles triangles;
 	HugeVector<FaceSource> sources;
@@ -459,7 +434,10 @@ void Merger::compact() {
 	block_.faceSource.insert(block_.faceSource.end(), sources.begin(), sources.end());
 	// Faces merged across input faces may have points of the curve as corners wherever they are.
 	block_.firstPiece = wholeBlock() ? 0 : keptBeforePieces;
+}
 
+// Takes the removed vertices out.
+void Merger::compactVertices() {
 	std::vector<std::uint32_t> newIndex(block_.points.size());
 	std::uint32_t count = 0;
 	for (std::size_t v = 0; v < newIndex.size(); ++v) {
@@ -503,7 +481,8 @@ Status Merger::run() {
 		tryRemove(candidates_[i]);
 	}
 	if (originalCount_ < faces_.size()) {
-		compact();
+		compactFaces();
+		compactVertices();
 	}
 	return status;
 }
