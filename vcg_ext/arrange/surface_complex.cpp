@@ -7,6 +7,7 @@
 
 #include "vcg_ext/arrange/self_intersecting.h"
 #include "vcg_ext/base/bucket_sort.h"
+#include "vcg_ext/base/edge_table.h"
 #include "vcg_ext/base/parallel.h"
 #include "vcg_ext/mesh/element_counts.h"
 
@@ -20,18 +21,7 @@ namespace {
 
 constexpr std::size_t kGrain = 1 << 15;
 
-// A half-edge by the ends of its edge.
-struct EdgeEntry {
-	VertexId low, high;
-	HalfEdgeId halfEdge;
-
-	bool isOn(const EdgeEntry& other) const { return low == other.low && high == other.high; }
-	friend bool operator<(const EdgeEntry& a, const EdgeEntry& b) {
-		return a.low != b.low     ? a.low < b.low
-		       : a.high != b.high ? a.high < b.high
-		                          : a.halfEdge < b.halfEdge;
-	}
-};
+using EdgeEntry = EdgeItem<HalfEdgeId>;
 
 // A face by its corners in ascending order.
 struct FaceEntry {
@@ -77,8 +67,6 @@ private:
 	std::vector<EdgeEntry> listEdges() const;
 	void join(const EdgeEntry* begin, const EdgeEntry* end, PartingEdges& parting);
 	void append(const PartingEdges& parting);
-	template <class Entry>
-	Status sortByLow(std::vector<Entry>& entries);
 
 	const Arrangement& arrangement_;
 	const MeshArrays& mesh_;
@@ -143,10 +131,8 @@ bool Builder::isOnCurve(const Triangle& piece) const {
 void Builder::addPieces(ComplexOf part) {
 	const Refinement& refinement = arrangement_.refinement;
 	for (std::size_t i = 0; i < refinement.cutFaces.size(); ++i) {
-		const std::size_t end = i + 1 < refinement.cutFaces.size()
-		                            ? refinement.cutFaces[i + 1].firstPiece
-		                            : refinement.pieces.size();
-		for (std::size_t piece = refinement.cutFaces[i].firstPiece; piece < end; ++piece) {
+		const Refinement::PieceRange pieces = refinement.piecesOf(i);
+		for (std::size_t piece = pieces.begin; piece < pieces.end; ++piece) {
 			const Triangle& corners = refinement.pieces[piece];
 			if (part == ComplexOf::IrregularPoints && !isIrregular(corners)) {
 				continue;
@@ -162,13 +148,6 @@ void Builder::addPieces(ComplexOf part) {
 bool runAlike(const Triangle& a, const Triangle& b) {
 	const auto first = std::find(b.begin(), b.end(), a[0]);
 	return b[static_cast<std::size_t>(nextCorner(static_cast<int>(first - b.begin())))] == a[1];
-}
-
-template <class Entry>
-Status Builder::sortByLow(std::vector<Entry>& entries) {
-	return bucketSort(
-	    entries, vertexCount_, [](const Entry& e) { return e.low.value; }, std::less<Entry>(),
-	    arrangement_.options.threads, monitor_);
 }
 
 // Makes faces on the same corners, at most one of each operand, one face.
@@ -202,16 +181,18 @@ Status Builder::mergeCoincident() {
 		std::sort(t.begin(), t.end());
 		entries.push_back({t[0], t[1], t[2], face});
 	}
-	Status status = sortByLow(entries);
+	Status status = bucketSort(
+	    entries, vertexCount_, [](const FaceEntry& e) { return e.low.value; },
+	    std::less<FaceEntry>(), arrangement_.options.threads, monitor_);
 	isMerged_.assign(out_.faces.size(), 0);
 	bool anyMerged = false;
-	for (std::size_t i = 0, end = 0; i < entries.size() && status.ok(); i = end) {
-		while (end < entries.size() && entries[end].isOn(entries[i])) {
-			++end;
-		}
-		status = merge(&entries[i], &entries[i] + (end - i));
-		anyMerged = anyMerged || end - i > 1;
-	}
+	const auto sameCorners = [](const FaceEntry& a, const FaceEntry& b) { return a.isOn(b); };
+	const FaceEntry* const begin = entries.data();
+	forEachGroup(begin, begin + entries.size(), sameCorners,
+	             [&](const FaceEntry* first, const FaceEntry* last) {
+		             status = status.ok() ? merge(first, last) : status;
+		             anyMerged = anyMerged || last - first > 1;
+	             });
 	if (status.ok() && anyMerged) {
 		std::size_t kept = 0;
 		for (std::size_t f = 0; f < out_.faces.size(); ++f) {
@@ -226,9 +207,9 @@ Status Builder::mergeCoincident() {
 
 // Takes the half-edges of one edge; one that parts goes to `parting`.
 void Builder::join(const EdgeEntry* begin, const EdgeEntry* end, PartingEdges& parting) {
-	const HalfEdgeId first = begin->halfEdge;
+	const HalfEdgeId first = begin->item;
 	if (end - begin == 2) {
-		const HalfEdgeId second = (begin + 1)->halfEdge;
+		const HalfEdgeId second = (begin + 1)->item;
 		if (out_.faceOf(first).hasOwnersOf(out_.faceOf(second))) {
 			at(out_.mates, first) = second;
 			at(out_.mates, second) = first;
@@ -236,10 +217,10 @@ void Builder::join(const EdgeEntry* begin, const EdgeEntry* end, PartingEdges& p
 		}
 	}
 	const auto place = static_cast<std::uint32_t>(parting.halfEdges.size());
-	parting.edges.push_back(
-	    {begin->low, begin->high, place, static_cast<std::uint32_t>(end - begin)});
+	parting.edges.push_back({VertexId{begin->low}, VertexId{begin->high}, place,
+	                         static_cast<std::uint32_t>(end - begin)});
 	for (; begin != end; ++begin) {
-		parting.halfEdges.push_back(begin->halfEdge);
+		parting.halfEdges.push_back(begin->item);
 	}
 }
 
@@ -291,9 +272,9 @@ std::vector<EdgeEntry> Builder::listEdges() const {
 	for (std::uint32_t n = 0; n < out_.nearFaces.size(); ++n) {
 		const Triangle& t = out_.faces[out_.nearFaces[n]].corners;
 		for (std::uint32_t i = 0; i < 3; ++i) {
-			const auto [low, high] = std::minmax(t[i], t[i == 2 ? 0 : i + 1]);
-			if (!out_.isPlain(low) || !out_.isPlain(high)) {
-				edges.push_back({low, high, {3 * n + i}});
+			const VertexId from = t[i], to = t[i == 2 ? 0 : i + 1];
+			if (!out_.isPlain(from) || !out_.isPlain(to)) {
+				edges.push_back(makeEdgeItem(from.value, to.value, HalfEdgeId{3 * n + i}));
 			}
 		}
 	}
@@ -304,26 +285,26 @@ Status Builder::joinFaces() {
 	std::vector<EdgeEntry> entries = listEdges();
 	const std::size_t count = entries.size();
 	const int threads = arrangement_.options.threads;
-	Status status = sortByLow(entries);
+	Status status = sortByEdge(entries, vertexCount_, threads, monitor_);
 	if (!status.ok()) {
 		return status;
 	}
 	out_.mates.assign(3 * out_.nearFaces.size(), HalfEdgeId::none());
 	std::vector<PartingEdges> parts(chunkCount(count, kGrain));
 	// A chunk takes the edges that begin in it.
-	const auto joinChunk = [&](std::size_t chunk, std::size_t begin, std::size_t chunkEnd) {
-		std::size_t first = begin;
-		while (first > 0 && first < chunkEnd && entries[first].isOn(entries[first - 1])) {
-			++first;
+	const auto firstEdgeFrom = [&](std::size_t i, std::size_t end) {
+		while (i > 0 && i < end && entries[i].sameEdge(entries[i - 1])) {
+			++i;
 		}
-		while (first < chunkEnd) {
-			std::size_t end = first + 1;
-			while (end < count && entries[end].isOn(entries[first])) {
-				++end;
-			}
-			join(&entries[first], &entries[first] + (end - first), parts[chunk]);
-			first = end;
-		}
+		return i;
+	};
+	const auto joinChunk = [&](std::size_t chunk, std::size_t chunkBegin, std::size_t chunkEnd) {
+		const std::size_t begin = firstEdgeFrom(chunkBegin, chunkEnd);
+		const std::size_t end = begin < chunkEnd ? firstEdgeFrom(chunkEnd, count) : begin;
+		forEachSortedEdge(entries.data() + begin, entries.data() + end,
+		                  [&](const EdgeEntry* first, const EdgeEntry* last) {
+			                  join(first, last, parts[chunk]);
+		                  });
 	};
 	status = parallelForChunks(count, kGrain, threads, monitor_, joinChunk);
 	for (const PartingEdges& part : parts) {
@@ -333,25 +314,23 @@ Status Builder::joinFaces() {
 }
 
 Status Builder::run(ComplexOf part) {
-	Status status;
-	if (part == ComplexOf::Everything) {
+	const bool isWhole = part == ComplexOf::Everything;
+	if (isWhole) {
 		out_.faces.reserve(mesh_.triangles.size() + arrangement_.refinement.pieces.size());
-		status = addUncutFaces();
 	}
-	addPieces(part);
-	if (status.ok()) {
-		status = checkCounts(vertexCount_, 3 * out_.faces.size());
-	}
-	if (status.ok()) {
-		status = mergeCoincident();
-	}
-	if (status.ok() && part == ComplexOf::Everything) {
-		findPlainVertices();
-	}
-	if (status.ok()) {
-		status = listNearFaces();
-	}
-	return status.ok() ? joinFaces() : status;
+	return inOrder([&] { return isWhole ? addUncutFaces() : Status{}; },
+	               [&] {
+		               addPieces(part);
+		               return checkCounts(vertexCount_, 3 * out_.faces.size());
+	               },
+	               [&] { return mergeCoincident(); },
+	               [&] {
+		               if (isWhole) {
+			               findPlainVertices();
+		               }
+		               return listNearFaces();
+	               },
+	               [&] { return joinFaces(); });
 }
 
 }  // namespace

@@ -4,7 +4,7 @@
 // A seam is found by its edges: two faces meet there, and name an end of it by two vertices.
 #include "vcg_ext/carry/seams.h"
 
-#include "vcg_ext/base/bucket_sort.h"
+#include "vcg_ext/base/edge_table.h"
 #include "vcg_ext/base/parallel.h"
 #include "vcg_ext/base/union_find.h"
 
@@ -16,13 +16,9 @@ namespace {
 
 constexpr std::size_t kGrain = 1 << 14;
 
-// An edge of a face, between welded vertices low < high, and what the face as given calls them.
-struct GivenEdge {
-	std::uint32_t low, high;
-	VertexId givenLow, givenHigh;
-
-	bool sameEdge(const GivenEdge& other) const { return low == other.low && high == other.high; }
-};
+// An edge of a face, between welded vertices, and what the face as given calls them.
+using GivenEnds = std::array<VertexId, 2>;
+using GivenEdge = EdgeItem<GivenEnds>;
 
 class SeamFinder {
 public:
@@ -111,7 +107,7 @@ Status SeamFinder::listEdges(OperandId operand) {
 			for (std::size_t i = 0; i < 3; ++i) {
 				const std::size_t j = (i + 1) % 3;
 				const std::size_t low = t[i] < t[j] ? i : j, high = low == i ? j : i;
-				edges_.push_back({t[low].value, t[high].value, given[low], given[high]});
+				edges_.push_back({t[low].value, t[high].value, {given[low], given[high]}});
 			}
 		}
 	};
@@ -129,24 +125,17 @@ void SeamFinder::compareEnds(VertexId a, VertexId b) {
 }
 
 Status SeamFinder::compareEdges() {
-	const Status status = bucketSort(
-	    edges_, mesh_.points.size(), [](const GivenEdge& e) { return e.low; },
-	    [](const GivenEdge& a, const GivenEdge& b) {
-		    return a.low != b.low ? a.low < b.low : a.high < b.high;
-	    },
-	    arrangement_.options.threads, monitor_);
+	const Status status =
+	    sortByEdge(edges_, mesh_.points.size(), arrangement_.options.threads, monitor_);
 	if (!status.ok()) {
 		return status;
 	}
-	for (std::size_t i = 0, end = 0; i < edges_.size(); i = end) {
-		while (end < edges_.size() && edges_[end].sameEdge(edges_[i])) {
-			++end;
+	forEachSortedEdge(edges_.begin(), edges_.end(), [this](auto first, auto last) {
+		if (last - first == 2) {
+			compareEnds(first[0].item[0], first[1].item[0]);
+			compareEnds(first[0].item[1], first[1].item[1]);
 		}
-		if (end - i == 2) {
-			compareEnds(edges_[i].givenLow, edges_[i + 1].givenLow);
-			compareEnds(edges_[i].givenHigh, edges_[i + 1].givenHigh);
-		}
-	}
+	});
 	return status;
 }
 
@@ -154,8 +143,8 @@ Status SeamFinder::compareEdges() {
 void SeamFinder::joinOthers() {
 	std::vector<std::array<VertexId, 2>> ends;  // where, and what is there as given
 	for (const GivenEdge& edge : edges_) {
-		ends.push_back({VertexId{edge.low}, edge.givenLow});
-		ends.push_back({VertexId{edge.high}, edge.givenHigh});
+		ends.push_back({VertexId{edge.low}, edge.item[0]});
+		ends.push_back({VertexId{edge.high}, edge.item[1]});
 	}
 	std::sort(ends.begin(), ends.end());
 	for (std::size_t i = 1; i < ends.size(); ++i) {

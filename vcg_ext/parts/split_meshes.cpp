@@ -17,7 +17,6 @@ namespace index_boolean {
 namespace {
 
 constexpr std::size_t kGrain = 1 << 14;
-constexpr std::uint32_t kUnused = 0xffffffffu;
 
 // A face of the complex as a mesh has it.
 struct ChosenFace {
@@ -26,10 +25,10 @@ struct ChosenFace {
 	bool turned;  // the other way than the complex has it
 };
 
-class Collector {
+class SplitMeshCollector {
 public:
-	Collector(const Arrangement& arrangement, const SubSurfaces& surfaces, const SubBlocks& blocks,
-	          Monitor& monitor, SplitMesh& out)
+	SplitMeshCollector(const Arrangement& arrangement, const SubSurfaces& surfaces,
+	                   const SubBlocks& blocks, Monitor& monitor, SplitMesh& out)
 	    : arrangement_(arrangement), surfaces_(surfaces), blocks_(blocks), monitor_(monitor),
 	      out_(out) {}
 
@@ -43,6 +42,7 @@ private:
 	void listVertices();
 	std::uint32_t numberOf(VertexId v) const;
 	Status placeVertices();
+	Status writeFaces();
 	Status clean();
 	Status markPolygons();
 	std::array<std::int32_t, 2> besideOf(const ChosenFace& face) const;
@@ -53,10 +53,10 @@ private:
 	Monitor& monitor_;
 	SplitMesh& out_;
 	HugeVector<ChosenFace> chosen_;
-	HugeVector<std::uint32_t> numbers_;  // per vertex, kUnused without; empty: look it up
+	HugeVector<std::uint32_t> numbers_;  // per vertex, kNone without; empty: look it up
 };
 
-std::array<std::int32_t, 2> Collector::besideOf(const ChosenFace& face) const {
+std::array<std::int32_t, 2> SplitMeshCollector::besideOf(const ChosenFace& face) const {
 	std::array<std::int32_t, 2> beside = at(blocks_.beside, surfaces_.ofFace[face.face]);
 	if (face.turned != (surfaces_.turned[face.face] != 0)) {
 		std::swap(beside[0], beside[1]);
@@ -65,7 +65,7 @@ std::array<std::int32_t, 2> Collector::besideOf(const ChosenFace& face) const {
 }
 
 // Lists the vertices of the chosen faces, ascending: by marks unless few of all are chosen.
-void Collector::listVertices() {
+void SplitMeshCollector::listVertices() {
 	const HugeVector<RefinedFace>& faces = surfaces_.complex.faces;
 	HugeVector<VertexId>& used = out_.vertexSource;
 	constexpr std::size_t kFewOf = 64;
@@ -78,7 +78,7 @@ void Collector::listVertices() {
 		used.erase(std::unique(used.begin(), used.end()), used.end());
 		return;
 	}
-	numbers_.assign(arrangement_.mesh.points.size() + arrangement_.curve.pointCount(), kUnused);
+	numbers_.assign(arrangement_.mesh.points.size() + arrangement_.curve.pointCount(), kNone);
 	for (const ChosenFace& face : chosen_) {
 		for (const VertexId v : faces[face.face].corners) {
 			at(numbers_, v) = 0;
@@ -86,14 +86,14 @@ void Collector::listVertices() {
 	}
 	used.reserve(numbers_.size());
 	for (std::uint32_t v = 0; v < numbers_.size(); ++v) {
-		if (numbers_[v] != kUnused) {
+		if (numbers_[v] != kNone) {
 			numbers_[v] = static_cast<std::uint32_t>(used.size());
 			used.push_back({v});
 		}
 	}
 }
 
-std::uint32_t Collector::numberOf(VertexId v) const {
+std::uint32_t SplitMeshCollector::numberOf(VertexId v) const {
 	if (!numbers_.empty()) {
 		return at(numbers_, v);
 	}
@@ -101,7 +101,7 @@ std::uint32_t Collector::numberOf(VertexId v) const {
 	return static_cast<std::uint32_t>(it - out_.vertexSource.begin());
 }
 
-Status Collector::placeVertices() {
+Status SplitMeshCollector::placeVertices() {
 	listVertices();
 	const HugeVector<VertexId>& used = out_.vertexSource;
 	out_.points.resize(used.size());
@@ -113,7 +113,7 @@ Status Collector::placeVertices() {
 	                   });
 }
 
-Status Collector::clean() {
+Status SplitMeshCollector::clean() {
 	CleanResult cleaned;
 	const Status status =
 	    cleanMesh(FaceRange{0, out_.triangles.size()}, arrangement_.options.threads, monitor_,
@@ -129,7 +129,7 @@ Status Collector::clean() {
 }
 
 // Polygons end where sub-surfaces do.
-Status Collector::markPolygons() {
+Status SplitMeshCollector::markPolygons() {
 	std::vector<std::uint32_t> part;
 	if (!arrangement_.polygons.polygon.empty()) {
 		for (const SubSurfaceId id : out_.subSurface) {
@@ -139,8 +139,7 @@ Status Collector::markPolygons() {
 	return findFauxEdges(arrangement_, part, monitor_, out_);
 }
 
-Status Collector::run() {
-	Status status = placeVertices();
+Status SplitMeshCollector::writeFaces() {
 	const std::size_t n = chosen_.size();
 	out_.triangles.resize(n);
 	out_.faceSource.resize(n);
@@ -157,13 +156,12 @@ Status Collector::run() {
 			out_.beside[i] = besideOf(face);
 		}
 	};
-	if (status.ok()) {
-		status = parallelFor(n, kGrain, arrangement_.options.threads, monitor_, write);
-	}
-	if (status.ok()) {
-		status = clean();
-	}
-	return status.ok() ? markPolygons() : status;
+	return parallelFor(n, kGrain, arrangement_.options.threads, monitor_, write);
+}
+
+Status SplitMeshCollector::run() {
+	return inOrder([this] { return placeVertices(); }, [this] { return writeFaces(); },
+	               [this] { return clean(); }, [this] { return markPolygons(); });
 }
 
 }  // namespace
@@ -172,7 +170,7 @@ Status collectSubSurfaces(const Arrangement& arrangement, const SubSurfaces& sur
                           const SubBlocks& blocks, OperandId operand, Monitor& monitor,
                           SplitMesh& out) {
 	out = SplitMesh{};
-	Collector collector(arrangement, surfaces, blocks, monitor, out);
+	SplitMeshCollector collector(arrangement, surfaces, blocks, monitor, out);
 	const HugeVector<RefinedFace>& faces = surfaces.complex.faces;
 	collector.expect(faces.size());
 	const auto choose = [&](std::size_t begin, std::size_t end) {
@@ -193,7 +191,7 @@ Status collectSubBlock(const Arrangement& arrangement, const SubSurfaces& surfac
                        const SubBlocks& blocks, SubBlockId block, Monitor& monitor,
                        SplitMesh& out) {
 	out = SplitMesh{};
-	Collector collector(arrangement, surfaces, blocks, monitor, out);
+	SplitMeshCollector collector(arrangement, surfaces, blocks, monitor, out);
 	std::size_t faceCount = 0;
 	for (const SubSurfaceSide& side : at(blocks.all, block).sides) {
 		faceCount += at(surfaces.all, side.of).faceCount;

@@ -18,12 +18,11 @@ namespace index_boolean {
 
 namespace {
 
-constexpr std::uint32_t kNone = 0xffffffffu;
 constexpr std::size_t kGrain = 1 << 14;
 
 // Consecutive faces of the complex whose fronts are, or whose backs are, one side of a set of
 // patches.
-struct Run {
+struct FaceRun {
 	std::uint32_t begin, end;
 	std::uint32_t side;      // in front of them, by the root of its set
 	std::uint32_t smallest;  // of the faces
@@ -31,9 +30,9 @@ struct Run {
 	SurfaceSums sums;        // seen from the front of the root
 };
 
-class Finder {
+class SubSurfaceFinder {
 public:
-	Finder(const Arrangement& arrangement, Monitor& monitor, SubSurfaces& out)
+	SubSurfaceFinder(const Arrangement& arrangement, Monitor& monitor, SubSurfaces& out)
 	    : arrangement_(arrangement), monitor_(monitor), out_(out), complex_(out.complex),
 	      vertexCount_(arrangement.mesh.points.size()) {}
 
@@ -41,20 +40,20 @@ public:
 
 private:
 	Status unitePatches();
-	Status numberPatches();
+	void numberPatches();
 	Status uniteSides();
 	void uniteAcross(HalfEdgeId h);
 	Status listRuns();
-	void listRuns(std::uint32_t begin, std::uint32_t end, std::vector<Run>& runs) const;
-	void addFace(std::uint32_t face, Run& run) const;
-	Status numberSubSurfaces();
+	void listRuns(std::uint32_t begin, std::uint32_t end, std::vector<FaceRun>& runs) const;
+	void addFace(std::uint32_t face, FaceRun& run) const;
+	void numberSubSurfaces();
 	void addSubSurface(std::uint32_t smallest);
 	Status listFaces();
 	Status traceCycles();
 	void listCycles();
 	BoundaryCycle trace(HalfEdgeId start, std::vector<std::uint8_t>& visited) const;
 	void beginAtSmallest(BoundaryCycle& cycle) const;
-	Status findSubSurfacesAtLoops();
+	void findSubSurfacesAtLoops();
 
 	// Calls body(begin, end) for ranges of n items, on all threads.
 	template <class Body>
@@ -66,7 +65,7 @@ private:
 	// Of the front of a patch, the root of its side's set.
 	std::uint32_t sideOf(std::uint32_t patch) const { return sides_.root(2 * patch); }
 	int compare(VertexId a, VertexId b) const { return comparePlaces(arrangement_, a, b); }
-	Triangle inOrder(std::uint32_t face) const;
+	Triangle cornersInOrder(std::uint32_t face) const;
 	bool isSmaller(std::uint32_t face, std::uint32_t than) const;
 	bool isBefore(std::uint32_t face, const Point& least, std::uint32_t than,
 	              const Point& leastOfOther) const;
@@ -79,19 +78,23 @@ private:
 	ConcurrentSets patches_;           // of input vertices
 	HugeVector<std::uint32_t> patch_;  // per root of these sets: its number
 	std::uint32_t patchCount_ = 0;
-	std::vector<std::uint32_t> nearPatch_;  // per near face
-	ConcurrentSets sides_;                  // 2 * patch: its front; 2 * patch + 1: its back
-	std::vector<std::vector<Run>> runs_;    // per chunk of the faces
-	std::vector<SubSurfaceId> ofSet_;       // per root patch
-	std::vector<const Run*> smallest_;      // per sub-surface: the run with its smallest face
+	std::vector<std::uint32_t> nearPatch_;    // per near face
+	ConcurrentSets sides_;                    // 2 * patch: its front; 2 * patch + 1: its back
+	std::vector<std::vector<FaceRun>> runs_;  // per chunk of the faces
+	std::vector<SubSurfaceId> ofSet_;         // per root patch
+	std::vector<const FaceRun*> smallest_;    // per sub-surface: the run with its smallest face
 };
 
 // All faces at a plain vertex are one patch.
-Status Finder::unitePatches() {
+Status SubSurfaceFinder::unitePatches() {
 	const std::size_t n = vertexCount_;
 	patches_ = ConcurrentSets(n);
-	Status status =
-	    forRanges(n, [this](std::size_t begin, std::size_t end) { patches_.makeSets(begin, end); });
+	const auto makeSets = [this](std::size_t begin, std::size_t end) {
+		patches_.makeSets(begin, end);
+	};
+	const auto flatten = [this](std::size_t begin, std::size_t end) {
+		patches_.flatten(begin, end);
+	};
 	const auto isPlain = [this](VertexId v) { return complex_.isPlain(v); };
 	const auto unite = [&](std::size_t begin, std::size_t end) {
 		for (std::size_t face = begin; face < end; ++face) {
@@ -106,18 +109,13 @@ Status Finder::unitePatches() {
 			patches_.unite({corner(0), corner(1), corner(2)});
 		}
 	};
-	if (status.ok()) {
-		status = forRanges(complex_.faces.size(), unite);
-	}
-	if (status.ok()) {
-		status = forRanges(
-		    n, [this](std::size_t begin, std::size_t end) { patches_.flatten(begin, end); });
-	}
-	return status;
+	return inOrder([&] { return forRanges(n, makeSets); },
+	               [&] { return forRanges(complex_.faces.size(), unite); },
+	               [&] { return forRanges(n, flatten); });
 }
 
 // A near face without a plain vertex is a patch of its own.
-Status Finder::numberPatches() {
+void SubSurfaceFinder::numberPatches() {
 	patch_.resize(vertexCount_);
 	for (std::uint32_t v = 0; v < vertexCount_; ++v) {
 		if (patches_.root(v) == v && complex_.isPlain({v})) {
@@ -131,11 +129,10 @@ Status Finder::numberPatches() {
 		    std::find_if(t.begin(), t.end(), [this](VertexId v) { return complex_.isPlain(v); });
 		nearPatch_[n] = plain == t.end() ? patchCount_++ : patchOf(*plain);
 	}
-	return {};
 }
 
 // Unites the sides of a near face with those across one of its edges.
-void Finder::uniteAcross(HalfEdgeId h) {
+void SubSurfaceFinder::uniteAcross(HalfEdgeId h) {
 	const HalfEdgeId mate = at(complex_.mates, h);
 	if (mate == HalfEdgeId::none() || mate < h) {
 		return;
@@ -146,31 +143,29 @@ void Finder::uniteAcross(HalfEdgeId h) {
 	sides_.unite(a + 1, b + 1 - flip);
 }
 
-Status Finder::uniteSides() {
+Status SubSurfaceFinder::uniteSides() {
 	const std::size_t n = 2 * std::size_t{patchCount_};
 	sides_ = ConcurrentSets(n);
 	sides_.makeSets(0, n);
-	Status status = forRanges(complex_.mates.size(), [this](std::size_t begin, std::size_t end) {
+	const auto unite = [this](std::size_t begin, std::size_t end) {
 		for (std::size_t h = begin; h < end; ++h) {
 			uniteAcross(makeId<HalfEdgeTag>(h));
 		}
-	});
-	if (status.ok()) {
-		status = forRanges(
-		    n, [this](std::size_t begin, std::size_t end) { sides_.flatten(begin, end); });
-	}
-	return status;
+	};
+	const auto flatten = [this](std::size_t begin, std::size_t end) { sides_.flatten(begin, end); };
+	return inOrder([&] { return forRanges(complex_.mates.size(), unite); },
+	               [&] { return forRanges(n, flatten); });
 }
 
 // The corners of a face in lexicographic order of their places.
-Triangle Finder::inOrder(std::uint32_t face) const {
+Triangle SubSurfaceFinder::cornersInOrder(std::uint32_t face) const {
 	Triangle t = complex_.faces[face].corners;
 	std::sort(t.begin(), t.end(), [this](VertexId a, VertexId b) { return compare(a, b) < 0; });
 	return t;
 }
 
-bool Finder::isSmaller(std::uint32_t face, std::uint32_t than) const {
-	const Triangle a = inOrder(face), b = inOrder(than);
+bool SubSurfaceFinder::isSmaller(std::uint32_t face, std::uint32_t than) const {
+	const Triangle a = cornersInOrder(face), b = cornersInOrder(than);
 	for (std::size_t i = 0; i < 3; ++i) {
 		if (const int order = compare(a[i], b[i]); order != 0) {
 			return order < 0;
@@ -180,12 +175,12 @@ bool Finder::isSmaller(std::uint32_t face, std::uint32_t than) const {
 }
 
 // As isSmaller, for faces of which the places of their first corners are known.
-bool Finder::isBefore(std::uint32_t face, const Point& least, std::uint32_t than,
-                      const Point& leastOfOther) const {
+bool SubSurfaceFinder::isBefore(std::uint32_t face, const Point& least, std::uint32_t than,
+                                const Point& leastOfOther) const {
 	return least < leastOfOther || (least == leastOfOther && isSmaller(face, than));
 }
 
-void Finder::addFace(std::uint32_t face, Run& run) const {
+void SubSurfaceFinder::addFace(std::uint32_t face, FaceRun& run) const {
 	const Triangle& t = complex_.faces[face].corners;
 	const Point &p = arrangement_.coordinates(t[0]), &q = arrangement_.coordinates(t[1]),
 	            &r = arrangement_.coordinates(t[2]);
@@ -203,9 +198,10 @@ void Finder::addFace(std::uint32_t face, Run& run) const {
 }
 
 // The runs of the faces [begin, end), which are all looked at once.
-void Finder::listRuns(std::uint32_t begin, std::uint32_t end, std::vector<Run>& runs) const {
+void SubSurfaceFinder::listRuns(std::uint32_t begin, std::uint32_t end,
+                                std::vector<FaceRun>& runs) const {
 	auto next = std::lower_bound(complex_.nearFaces.begin(), complex_.nearFaces.end(), begin);
-	Run run{begin, begin, kNone, kNone, {}, {}};
+	FaceRun run{begin, begin, kNone, kNone, {}, {}};
 	for (std::uint32_t face = begin; face < end; ++face) {
 		const bool isNear = next != complex_.nearFaces.end() && *next == face;
 		const std::uint32_t patch =
@@ -224,11 +220,11 @@ void Finder::listRuns(std::uint32_t begin, std::uint32_t end, std::vector<Run>& 
 	runs.push_back(run);
 }
 
-Status Finder::listRuns() {
+Status SubSurfaceFinder::listRuns() {
 	const Points& points = arrangement_.mesh.points;
 	const int threads = arrangement_.options.threads;
 	BoundingBox box{};
-	Status status = findBoundingBox(points.data(), points.size(), threads, monitor_, box);
+	const Status status = findBoundingBox(points.data(), points.size(), threads, monitor_, box);
 	out_.frame = makeSumFrame(box);
 	runs_.resize(chunkCount(complex_.faces.size(), kGrain));
 	const auto listChunk = [this](std::size_t chunk, std::size_t begin, std::size_t end) {
@@ -240,7 +236,7 @@ Status Finder::listRuns() {
 }
 
 // Adds a sub-surface, whose smallest face is given.
-void Finder::addSubSurface(std::uint32_t smallest) {
+void SubSurfaceFinder::addSubSurface(std::uint32_t smallest) {
 	const SubSurfaceId id = makeId<SubSurfaceTag>(out_.all.size());
 	SubSurface surface{};
 	surface.number = {-1, -1};
@@ -251,7 +247,7 @@ void Finder::addSubSurface(std::uint32_t smallest) {
 		}
 	}
 	const Triangle& corners = complex_.faces[smallest].corners;
-	const Triangle ordered = inOrder(smallest);
+	const Triangle ordered = cornersInOrder(smallest);
 	const auto first = std::find(corners.begin(), corners.end(), ordered[0]) - corners.begin();
 	const auto second = static_cast<std::size_t>(nextCorner(static_cast<int>(first)));
 	surface.frontFirst = corners[second] != ordered[1];
@@ -259,14 +255,14 @@ void Finder::addSubSurface(std::uint32_t smallest) {
 }
 
 // Sub-surfaces are numbered in the order of their smallest faces.
-Status Finder::numberSubSurfaces() {
+void SubSurfaceFinder::numberSubSurfaces() {
 	// Per root patch: the run with the smallest face, and the sums of all.
-	std::vector<const Run*> best(patchCount_);
+	std::vector<const FaceRun*> best(patchCount_);
 	std::vector<SurfaceSums> sums(patchCount_);
 	std::vector<std::uint32_t> faceCount(patchCount_);
-	for (const std::vector<Run>& chunk : runs_) {
-		for (const Run& run : chunk) {
-			const Run*& least = best[run.side / 2];
+	for (const std::vector<FaceRun>& chunk : runs_) {
+		for (const FaceRun& run : chunk) {
+			const FaceRun*& least = best[run.side / 2];
 			if (least == nullptr ||
 			    isBefore(run.smallest, run.least, least->smallest, least->least)) {
 				least = &run;
@@ -275,14 +271,15 @@ Status Finder::numberSubSurfaces() {
 			faceCount[run.side / 2] += run.end - run.begin;
 		}
 	}
-	std::vector<const Run*> order;
+	std::vector<const FaceRun*> order;
 	std::copy_if(best.begin(), best.end(), std::back_inserter(order),
-	             [](const Run* run) { return run != nullptr; });
-	std::sort(order.begin(), order.end(),
-	          [this](const Run* a, const Run* b) { return isSmaller(a->smallest, b->smallest); });
+	             [](const FaceRun* run) { return run != nullptr; });
+	std::sort(order.begin(), order.end(), [this](const FaceRun* a, const FaceRun* b) {
+		return isSmaller(a->smallest, b->smallest);
+	});
 	ofSet_.resize(patchCount_);
 	std::uint32_t first = 0;
-	for (const Run* run : order) {
+	for (const FaceRun* run : order) {
 		const std::uint32_t patch = run->side / 2;
 		ofSet_[patch] = makeId<SubSurfaceTag>(out_.all.size());
 		addSubSurface(run->smallest);
@@ -296,11 +293,10 @@ Status Finder::numberSubSurfaces() {
 		out_.sums.emplace_back();
 		out_.sums.back().add(sums[patch], run->side % 2 == 0 ? 1 : -1);
 	}
-	return {};
 }
 
 // Lists the faces of each sub-surface, the smallest one first.
-Status Finder::listFaces() {
+Status SubSurfaceFinder::listFaces() {
 	const std::size_t n = complex_.faces.size();
 	std::vector<std::uint32_t> next;
 	for (const SubSurface& surface : out_.all) {
@@ -308,7 +304,7 @@ Status Finder::listFaces() {
 	}
 	std::vector<std::vector<std::uint32_t>> places(runs_.size());
 	for (std::size_t chunk = 0; chunk < runs_.size(); ++chunk) {
-		for (const Run& run : runs_[chunk]) {
+		for (const FaceRun& run : runs_[chunk]) {
 			const SubSurfaceId id = ofSet_[run.side / 2];
 			const std::uint32_t smallest = at(smallest_, id)->smallest;
 			places[chunk].push_back(at(next, id));
@@ -321,9 +317,9 @@ Status Finder::listFaces() {
 	out_.faces.resize(n);
 	const auto fill = [&](std::size_t chunk, std::size_t, std::size_t) {
 		for (std::size_t i = 0; i < runs_[chunk].size(); ++i) {
-			const Run& run = runs_[chunk][i];
+			const FaceRun& run = runs_[chunk][i];
 			const SubSurfaceId id = ofSet_[run.side / 2];
-			const Run& first = *at(smallest_, id);
+			const FaceRun& first = *at(smallest_, id);
 			std::fill(&out_.ofFace[run.begin], &out_.ofFace[0] + run.end, id);
 			std::fill(&out_.turned[run.begin], &out_.turned[0] + run.end,
 			          run.side % 2 != first.side % 2 ? 1 : 0);
@@ -351,7 +347,7 @@ bool passesEachEdgeTwice(const std::vector<VertexId>& cycle) {
 }
 
 // Starts at the smallest point of the cycle, and there with the smallest next one.
-void Finder::beginAtSmallest(BoundaryCycle& cycle) const {
+void SubSurfaceFinder::beginAtSmallest(BoundaryCycle& cycle) const {
 	std::vector<VertexId>& points = cycle.points;
 	std::size_t best = 0;
 	for (std::size_t i = 1; i < points.size(); ++i) {
@@ -366,7 +362,7 @@ void Finder::beginAtSmallest(BoundaryCycle& cycle) const {
 
 // Follows the boundary from a half-edge on, with the sub-surface on its left as seen from its
 // front.
-BoundaryCycle Finder::trace(HalfEdgeId start, std::vector<std::uint8_t>& visited) const {
+BoundaryCycle SubSurfaceFinder::trace(HalfEdgeId start, std::vector<std::uint8_t>& visited) const {
 	const std::uint32_t face = complex_.faceAt(start);
 	BoundaryCycle cycle{out_.ofFace[face], false, {}};
 	VertexId point = out_.turned[face] != 0 ? complex_.endOf(start) : complex_.beginOf(start);
@@ -385,7 +381,7 @@ BoundaryCycle Finder::trace(HalfEdgeId start, std::vector<std::uint8_t>& visited
 	return cycle;
 }
 
-Status Finder::traceCycles() {
+Status SubSurfaceFinder::traceCycles() {
 	constexpr std::size_t kStarts = 64;  // a cycle may be long
 	std::vector<std::uint8_t> visited(complex_.mates.size());
 	const auto traceFrom = [&](std::size_t begin, std::size_t end) {
@@ -402,7 +398,7 @@ Status Finder::traceCycles() {
 	return status;
 }
 
-void Finder::listCycles() {
+void SubSurfaceFinder::listCycles() {
 	const auto before = [this](const BoundaryCycle& a, const BoundaryCycle& b) {
 		if (a.of != b.of) {
 			return a.of < b.of;
@@ -421,7 +417,7 @@ void Finder::listCycles() {
 }
 
 // A loop's sub-surfaces are those at any of its edges.
-Status Finder::findSubSurfacesAtLoops() {
+void SubSurfaceFinder::findSubSurfacesAtLoops() {
 	for (const Loop& loop : arrangement_.loops) {
 		std::vector<SubSurfaceId> found;
 		if (const PartingEdge* edge = complex_.partingEdge(loop.points[0], loop.points[1])) {
@@ -433,26 +429,35 @@ Status Finder::findSubSurfacesAtLoops() {
 		found.erase(std::unique(found.begin(), found.end()), found.end());
 		out_.atLoop.push_back(std::move(found));
 	}
-	return {};
 }
 
-Status Finder::run() {
-	Status status = buildComplex(arrangement_, ComplexOf::Everything, monitor_, out_.complex);
-	for (const auto step : {&Finder::unitePatches, &Finder::numberPatches, &Finder::uniteSides,
-	                        &Finder::listRuns, &Finder::numberSubSurfaces, &Finder::listFaces,
-	                        &Finder::traceCycles, &Finder::findSubSurfacesAtLoops}) {
-		if (status.ok()) {
-			status = (this->*step)();
-		}
-	}
-	return status;
+Status SubSurfaceFinder::run() {
+	return inOrder(
+	    [this] {
+		    return buildComplex(arrangement_, ComplexOf::Everything, monitor_, out_.complex);
+	    },
+	    [this] { return unitePatches(); },
+	    [this] {
+		    numberPatches();
+		    return uniteSides();
+	    },
+	    [this] { return listRuns(); },
+	    [this] {
+		    numberSubSurfaces();
+		    return listFaces();
+	    },
+	    [this] { return traceCycles(); },
+	    [this] {
+		    findSubSurfacesAtLoops();
+		    return Status{};
+	    });
 }
 
 }  // namespace
 
 Status findSubSurfaces(const Arrangement& arrangement, Monitor& monitor, SubSurfaces& out) {
 	out = SubSurfaces{};
-	return Finder(arrangement, monitor, out).run();
+	return SubSurfaceFinder(arrangement, monitor, out).run();
 }
 
 }  // namespace index_boolean

@@ -30,8 +30,11 @@ constexpr Rule kTurn{true, true};
 // [operation][operand][label]. A face is kept iff the operation's truth differs between its two
 // sides, turned iff it is true in front of the face. Of two coinciding faces one is taken: facing
 // the same way, the owner's (overlap_owners.h); else that of the operand whose solid is behind it.
-constexpr Rule kRules[kOperationCount][2][4] = {
-    // outside, inside, on: same way, on: opposite way
+// No face has one of the other labels: a face at a vertex on the other operand is cut, and its
+// pieces are labelled, or refused. Whatever a label, there is a rule: a face without one goes, the
+// block is not closed then, and the audit refuses it.
+constexpr Rule kRules[kOperationCount][2][kLabelCount] = {
+    // outside, inside, on: same way, on: opposite way; the others are left to be kDrop
     {{kKeep, kDrop, kKeep, kDrop}, {kKeep, kDrop, kKeep, kDrop}},  // union
     {{kDrop, kKeep, kKeep, kDrop}, {kDrop, kKeep, kKeep, kDrop}},  // intersection
     {{kKeep, kDrop, kDrop, kKeep}, {kDrop, kTurn, kDrop, kDrop}},  // first minus second
@@ -39,9 +42,10 @@ constexpr Rule kRules[kOperationCount][2][4] = {
     {{kKeep, kTurn, kDrop, kDrop}, {kKeep, kTurn, kDrop, kDrop}},  // symmetric difference
 };
 
-class Collector {
+class BlockCollector {
 public:
-	Collector(const Arrangement& arrangement, Operation operation, Monitor& monitor, Block& out)
+	BlockCollector(const Arrangement& arrangement, Operation operation, Monitor& monitor,
+	               Block& out)
 	    : arrangement_(arrangement), rules_(kRules[static_cast<std::size_t>(operation)]),
 	      monitor_(monitor), out_(out) {}
 
@@ -98,7 +102,7 @@ private:
 	           bool turned);
 
 	const Arrangement& arrangement_;
-	const Rule (&rules_)[2][4];
+	const Rule (&rules_)[2][kLabelCount];
 	Monitor& monitor_;
 	Block& out_;
 	HugeVector<std::uint32_t> newIndex_;  // per input vertex and curve point that is kept
@@ -123,7 +127,7 @@ Status countChunks(std::size_t n, int threads, Monitor& monitor, Keeps&& keeps,
 	return status;
 }
 
-Status Collector::collectVertices() {
+Status BlockCollector::collectVertices() {
 	const std::size_t n = arrangement_.mesh.points.size();
 	const int threads = arrangement_.options.threads;
 	const auto keeps = [this](std::size_t v) { return keepsVertex(v); };
@@ -156,15 +160,13 @@ Status Collector::collectVertices() {
 
 // Calls visit(face, piece, rule) for each piece that is kept.
 template <class Visit>
-void Collector::visitKeptPieces(Visit&& visit) const {
+void BlockCollector::visitKeptPieces(Visit&& visit) const {
 	const Refinement& refinement = arrangement_.refinement;
 	for (std::size_t i = 0; i < refinement.cutFaces.size(); ++i) {
 		const CutFace& cutFace = refinement.cutFaces[i];
-		const std::size_t end = i + 1 < refinement.cutFaces.size()
-		                            ? refinement.cutFaces[i + 1].firstPiece
-		                            : refinement.pieces.size();
 		const OperandId operand = arrangement_.mesh.operandOf(cutFace.face);
-		for (std::size_t piece = cutFace.firstPiece; piece < end; ++piece) {
+		const Refinement::PieceRange pieces = refinement.piecesOf(i);
+		for (std::size_t piece = pieces.begin; piece < pieces.end; ++piece) {
 			const Rule& pieceRule = rule(operand, arrangement_.labels.piece[piece]);
 			if (pieceRule.kept && ownsPiece(piece)) {
 				visit(cutFace.face, refinement.pieces[piece], pieceRule);
@@ -174,7 +176,7 @@ void Collector::visitKeptPieces(Visit&& visit) const {
 }
 
 // The vertices on the other operand that kept faces use, in the order of their ids.
-std::vector<VertexId> Collector::keptOnOther() const {
+std::vector<VertexId> BlockCollector::keptOnOther() const {
 	HugeVector<std::uint8_t> isUsed;
 	isUsed.assign(arrangement_.mesh.points.size() + arrangement_.curve.pointCount(), 0);
 	const auto use = [&](const Triangle& t) {
@@ -203,7 +205,7 @@ std::vector<VertexId> Collector::keptOnOther() const {
 	return used;
 }
 
-void Collector::addOnOther(const std::vector<VertexId>& vertices) {
+void BlockCollector::addOnOther(const std::vector<VertexId>& vertices) {
 	for (const VertexId v : vertices) {
 		at(newIndex_, v) = static_cast<std::uint32_t>(out_.points.size());
 		out_.points.push_back(outputCoordinates(arrangement_, v));
@@ -213,7 +215,7 @@ void Collector::addOnOther(const std::vector<VertexId>& vertices) {
 }
 
 // A symmetric difference meets itself all along the curve.
-void Collector::markSuspects(const std::vector<VertexId>& onCurve) {
+void BlockCollector::markSuspects(const std::vector<VertexId>& onCurve) {
 	const bool all = out_.operation == Operation::SymmetricDifference;
 	out_.suspect.assign(out_.points.size(), 0);
 	for (const VertexId v : onCurve) {
@@ -232,14 +234,14 @@ void Collector::markSuspects(const std::vector<VertexId>& onCurve) {
 	}
 }
 
-void Collector::write(std::size_t slot, const std::array<std::uint32_t, 3>& corners, FaceId face,
-                      bool turned) {
+void BlockCollector::write(std::size_t slot, const std::array<std::uint32_t, 3>& corners,
+                           FaceId face, bool turned) {
 	out_.triangles[slot] =
 	    turned ? std::array<std::uint32_t, 3>{corners[0], corners[2], corners[1]} : corners;
 	out_.faceSource[slot] = {face, turned};
 }
 
-Status Collector::collectFaces() {
+Status BlockCollector::collectFaces() {
 	const std::size_t n = arrangement_.mesh.triangles.size();
 	const int threads = arrangement_.options.threads;
 	const auto keeps = [this](std::size_t face) { return keepsFace(face); };
@@ -266,7 +268,7 @@ Status Collector::collectFaces() {
 	    });
 }
 
-void Collector::collectPieces() {
+void BlockCollector::collectPieces() {
 	out_.firstPiece = out_.triangles.size();
 	visitKeptPieces([&](FaceId face, const Triangle& t, const Rule& pieceRule) {
 		out_.triangles.emplace_back();
@@ -277,11 +279,9 @@ void Collector::collectPieces() {
 	});
 }
 
-Status Collector::run() {
-	Status status = collectVertices();
-	if (status.ok()) {
-		status = collectFaces();
-	}
+Status BlockCollector::run() {
+	const Status status =
+	    inOrder([this] { return collectVertices(); }, [this] { return collectFaces(); });
 	if (status.ok()) {
 		collectPieces();
 	}
@@ -313,7 +313,7 @@ Status collectBlock(const Arrangement& arrangement, Operation operation, Monitor
 	if (arrangement.labels.vertex.size() != arrangement.mesh.points.size()) {
 		return statusOf(StatusCode::InternalError);  // an arrangement that is not for blocks
 	}
-	return Collector(arrangement, operation, monitor, out).run();
+	return BlockCollector(arrangement, operation, monitor, out).run();
 }
 
 }  // namespace index_boolean

@@ -4,6 +4,7 @@
 // Both operands have the same pieces in an overlap, so a piece's twin is found by its corners.
 #include "vcg_ext/solids/overlap_owners.h"
 
+#include "vcg_ext/base/edge_table.h"
 #include "vcg_ext/base/parallel.h"
 #include "vcg_ext/base/union_find.h"
 
@@ -12,14 +13,6 @@
 namespace index_boolean {
 
 namespace {
-
-// An edge of a piece.
-struct PieceEdge {
-	VertexId low, high;
-	std::uint32_t piece;
-
-	bool sameEdge(const PieceEdge& other) const { return low == other.low && high == other.high; }
-};
 
 // An input face that takes part in an overlap: its corners in lexicographic order, and whether all
 // of it does.
@@ -30,6 +23,8 @@ struct Wall {
 	friend bool operator<(const Wall& a, const Wall& b) { return a.corners < b.corners; }
 	friend bool operator==(const Wall& a, const Wall& b) { return a.corners == b.corners; }
 };
+
+using PieceEdge = EdgeItem<std::uint32_t>;  // of a piece
 
 class Chooser {
 public:
@@ -47,8 +42,10 @@ private:
 
 	void listParents();
 	void uniteTwins();
-	void visitEdges();
-	void visitEdge(const PieceEdge* begin, const PieceEdge* end);
+	std::vector<PieceEdge> sortedEdges() const;
+	void uniteNeighbours(const std::vector<PieceEdge>& edges);
+	void listClaims(const std::vector<PieceEdge>& edges);
+	void addClaim(std::uint32_t overlap, std::uint32_t piece);
 	void listWalls();
 	void setOwners();
 	OperandId ownerByShape(std::uint32_t overlap) const;
@@ -71,12 +68,10 @@ private:
 void Chooser::listParents() {
 	parent_.resize(refinement_.pieces.size());
 	for (std::size_t i = 0; i < refinement_.cutFaces.size(); ++i) {
-		const std::size_t end = i + 1 < refinement_.cutFaces.size()
-		                            ? refinement_.cutFaces[i + 1].firstPiece
-		                            : refinement_.pieces.size();
-		for (std::size_t piece = refinement_.cutFaces[i].firstPiece; piece < end; ++piece) {
-			parent_[piece] = refinement_.cutFaces[i].face;
-		}
+		const Refinement::PieceRange pieces = refinement_.piecesOf(i);
+		std::fill(parent_.begin() + static_cast<std::ptrdiff_t>(pieces.begin),
+		          parent_.begin() + static_cast<std::ptrdiff_t>(pieces.end),
+		          refinement_.cutFaces[i].face);
 	}
 }
 
@@ -97,65 +92,67 @@ void Chooser::uniteTwins() {
 	}
 }
 
-void Chooser::visitEdges() {
+std::vector<PieceEdge> Chooser::sortedEdges() const {
 	std::vector<PieceEdge> edges;
 	for (std::uint32_t piece = 0; piece < parent_.size(); ++piece) {
-		for (int i = 0; i < 3; ++i) {
-			const Triangle& t = refinement_.pieces[piece];
-			const auto edge = std::minmax(t[static_cast<std::size_t>(i)],
-			                              t[static_cast<std::size_t>(nextCorner(i))]);
-			edges.push_back({edge.first, edge.second, piece});
+		const Triangle& t = refinement_.pieces[piece];
+		for (std::size_t i = 0; i < 3; ++i) {
+			edges.push_back(makeEdgeItem(t[i].value, t[i == 2 ? 0 : i + 1].value, piece));
 		}
 	}
-	std::sort(edges.begin(), edges.end(), [](const PieceEdge& a, const PieceEdge& b) {
-		return a.low != b.low     ? a.low < b.low
-		       : a.high != b.high ? a.high < b.high
-		                          : a.piece < b.piece;
-	});
-	// First all overlaps are joined, then their neighbours are asked.
-	claims_.clear();
-	for (const bool asking : {false, true}) {
-		claims_.resize(asking ? parent_.size() : 0);
-		for (std::size_t i = 0; i < edges.size();) {
-			std::size_t end = i + 1;
-			while (end < edges.size() && edges[end].sameEdge(edges[i])) {
-				++end;
-			}
-			visitEdge(&edges[i], edges.data() + end);
-			i = end;
-		}
-		overlaps_.flatten();
-	}
+	std::sort(edges.begin(), edges.end());
+	return edges;
 }
 
-void Chooser::visitEdge(const PieceEdge* begin, const PieceEdge* end) {
-	for (const PieceEdge* a = begin; a != end; ++a) {
-		for (const PieceEdge* b = begin; b != end && isOverlap(a->piece); ++b) {
-			if (claims_.empty() && isOverlap(b->piece)) {
-				overlaps_.unite(a->piece, b->piece);
-			} else if (!claims_.empty() && parent_[a->piece] == parent_[b->piece]) {
-				const Label label = arrangement_.labels.piece[b->piece];
-				Claims& claims = claims_[overlaps_.root(a->piece)];
-				claims.inUnion[operandOf(b->piece)] |= label == Label::Outside;
-				claims.inIntersection[operandOf(b->piece)] |= label == Label::Inside;
+// Overlaps that share an edge are one.
+void Chooser::uniteNeighbours(const std::vector<PieceEdge>& edges) {
+	forEachSortedEdge(edges.begin(), edges.end(), [this](auto first, auto last) {
+		std::uint32_t one = kNone;  // of the overlap's pieces there
+		for (auto edge = first; edge != last; ++edge) {
+			if (isOverlap(edge->item)) {
+				one = one == kNone ? edge->item : overlaps_.unite(one, edge->item);
 			}
 		}
-	}
+	});
+	overlaps_.flatten();
+}
+
+// A piece beside an overlap, of a wall that takes part in it.
+void Chooser::addClaim(std::uint32_t overlap, std::uint32_t piece) {
+	const Label label = arrangement_.labels.piece[piece];
+	Claims& claims = claims_[overlaps_.root(overlap)];
+	claims.inUnion[operandOf(piece)] |= label == Label::Outside;
+	claims.inIntersection[operandOf(piece)] |= label == Label::Inside;
+}
+
+// \pre all overlaps have been joined
+void Chooser::listClaims(const std::vector<PieceEdge>& edges) {
+	claims_.resize(parent_.size());
+	forEachSortedEdge(edges.begin(), edges.end(), [this](auto first, auto last) {
+		for (auto a = first; a != last; ++a) {
+			for (auto b = first; b != last && isOverlap(a->item); ++b) {
+				if (parent_[a->item] == parent_[b->item]) {
+					addClaim(a->item, b->item);
+				}
+			}
+		}
+	});
 }
 
 // The faces of each operand that take part in each overlap.
 void Chooser::listWalls() {
 	walls_.resize(parent_.size());
-	for (std::uint32_t first = 0, end = 0; first < parent_.size(); first = end) {
+	for (std::size_t i = 0; i < refinement_.cutFaces.size(); ++i) {
+		const Refinement::PieceRange pieces = refinement_.piecesOf(i);
 		bool isWhole = true;
-		for (end = first; end < parent_.size() && parent_[end] == parent_[first]; ++end) {
-			isWhole = isWhole && isOverlap(end);
+		for (std::size_t piece = pieces.begin; piece < pieces.end; ++piece) {
+			isWhole = isWhole && isOverlap(static_cast<std::uint32_t>(piece));
 		}
-		const Triangle& t = at(arrangement_.mesh.triangles, parent_[first]);
+		const Triangle& t = at(arrangement_.mesh.triangles, refinement_.cutFaces[i].face);
 		const Points& points = arrangement_.mesh.points;
 		Wall wall{{at(points, t[0]), at(points, t[1]), at(points, t[2])}, isWhole};
 		std::sort(wall.corners.begin(), wall.corners.end());
-		for (std::uint32_t piece = first; piece < end; ++piece) {
+		for (auto piece = static_cast<std::uint32_t>(pieces.begin); piece < pieces.end; ++piece) {
 			if (isOverlap(piece)) {
 				walls_[overlaps_.root(piece)][operandOf(piece)].push_back(wall);
 			}
@@ -210,7 +207,9 @@ void Chooser::setOwners() {
 void Chooser::run() {
 	listParents();
 	uniteTwins();
-	visitEdges();
+	const std::vector<PieceEdge> edges = sortedEdges();
+	uniteNeighbours(edges);
+	listClaims(edges);
 	listWalls();
 	setOwners();
 }
