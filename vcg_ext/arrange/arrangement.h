@@ -7,8 +7,8 @@
 // before that it is empty. The stages are those of docs/architecture.md, in their order.
 #pragma once
 
-#include "vcg_ext/mesh/mesh_arrays.h"
 #include "vcg_ext/mesh/element_counts.h"
+#include "vcg_ext/mesh/mesh_arrays.h"
 
 #include <string>
 

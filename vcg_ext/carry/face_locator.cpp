@@ -195,9 +195,13 @@ std::vector<FaceId> FaceLocator::facesNear(std::uint32_t part, std::uint32_t ver
 		return {members, members + count};
 	}
 	const VertexId v = mesh_.vertexSource[vertex];
+	const Point& p = v == VertexId::none() ? mesh_.points[vertex] : arrangement_.coordinates(v);
+	const auto mayHold = [&p](const BoundingBox& box) {
+		return box.lo[0] <= p[0] && p[0] <= box.hi[0] && box.lo[1] <= p[1] && p[1] <= box.hi[1] &&
+		       box.lo[2] <= p[2] && p[2] <= box.hi[2];
+	};
 	std::vector<std::uint32_t> near;
-	treeOf(part).find(v == VertexId::none() ? mesh_.points[vertex] : arrangement_.coordinates(v),
-	                  near);
+	treeOf(part).visit(0, mayHold, [&near](std::uint32_t member) { near.push_back(member); });
 	std::sort(near.begin(), near.end());
 	std::vector<FaceId> faces;
 	for (const std::uint32_t member : near) {

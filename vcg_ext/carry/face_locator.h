@@ -7,7 +7,7 @@
 #pragma once
 
 #include "vcg_ext/arrange/given_faces.h"
-#include "vcg_ext/carry/box_tree.h"
+#include "vcg_ext/exact/box_tree.h"
 #include "vcg_ext/mesh/sourced_mesh.h"
 
 #include <memory>

@@ -5,6 +5,7 @@
 #include "vcg_ext/exact/box_tree.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 
 namespace index_boolean {
@@ -13,8 +14,10 @@ namespace {
 
 constexpr std::uint32_t kLeafSize = 4;
 
+// 0 in a direction in which a box has no end, where all middles are alike.
 double middleOf(const BoundingBox& box, std::size_t axis) {
-	return box.lo[axis] / 2 + box.hi[axis] / 2;
+	const double middle = box.lo[axis] / 2 + box.hi[axis] / 2;
+	return std::isfinite(middle) ? middle : 0;
 }
 
 }  // namespace

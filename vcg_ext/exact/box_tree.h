@@ -3,7 +3,8 @@
 //
 // in: axis-parallel boxes; out: those that a question may concern, without a look at most others.
 // Guarantee: what is found depends on the boxes only. Boxes may overlap, coincide or be points, and
-// may lie in clusters: halves have equal counts, whatever their size.
+// may lie in clusters: halves have equal counts, whatever their size. A box may be without end in a
+// direction.
 #pragma once
 
 #include "vcg_ext/exact/bounding_box.h"

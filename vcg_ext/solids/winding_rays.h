@@ -14,7 +14,8 @@
 
 namespace index_boolean {
 
-// Asks at an input vertex, or inside a face, infinitely near to its first corner.
+// Asks at an input vertex that is not on the surface, or inside a face, infinitely near to its
+// first corner.
 struct WindingQuery {
 	VertexId from = VertexId::none();
 	FaceId inside = FaceId::none();  // used if `from` is none
