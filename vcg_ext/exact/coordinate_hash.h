@@ -6,6 +6,7 @@
 
 #include "vcg_ext/base/point.h"
 
+#include <cstdint>
 #include <cstring>
 
 namespace index_boolean {
