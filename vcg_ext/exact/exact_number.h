@@ -14,15 +14,12 @@
 #pragma once
 
 #include "vcg_ext/base/sign_counts.h"
+#include "vcg_ext/exact/ieee_arithmetic.h"
 
 #include <boost/multiprecision/cpp_int.hpp>
 
 #include <cmath>
 #include <cstdint>
-
-#ifdef __FAST_MATH__
-#error "exact decisions need IEEE arithmetic: compile without -ffast-math"
-#endif
 
 namespace index_boolean {
 
