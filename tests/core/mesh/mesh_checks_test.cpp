@@ -77,6 +77,25 @@ TEST(MeshChecks, countsBeyondTheLimitAreTooLarge) {
 	}
 }
 
+TEST(MeshChecks, aLowerLimitHoldsAndAHigherOneDoesNot) {
+	EXPECT_TRUE(checkCounts(7, 5, 7).ok());
+	EXPECT_EQ(checkCounts(7, 8, 7).count, 8U);
+	EXPECT_EQ(checkCounts(8, 7, 7).code, StatusCode::TooLarge);
+	EXPECT_EQ(checkCounts(std::size_t{1} << 31, 0, std::size_t{1} << 40).code,
+	          StatusCode::TooLarge);
+}
+
+TEST(MeshChecks, numberingsGoTwiceAsFar) {
+	constexpr std::size_t kMost = (std::size_t{1} << 32) - 2;  // so that no number is none()
+	EXPECT_TRUE(checkNumbering(kMost).ok());
+	EXPECT_TRUE(checkNumbering(14, 7).ok());
+	EXPECT_EQ(checkNumbering(15, 7).count, 15U);
+	for (const std::size_t most : {std::size_t{1} << 31, std::size_t{1} << 63}) {
+		EXPECT_EQ(checkNumbering(kMost + 1, most).code, StatusCode::TooLarge);
+		EXPECT_EQ(checkNumbering(kMost + 1, most).count, kMost + 1);
+	}
+}
+
 TEST(MeshChecks, closedSurfacesAreClosed) {
 	expectClosed({});
 	expectClosed(kTetrahedron);
