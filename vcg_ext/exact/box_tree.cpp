@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Index Boolean authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Halves by the middle of the boxes, along the side on which the middles lie farthest apart.
+// Halves by where boxes begin, along the axis on which they begin farthest apart.
 #include "vcg_ext/exact/box_tree.h"
 
 #include <algorithm>
@@ -12,12 +12,11 @@ namespace index_boolean {
 
 namespace {
 
-constexpr std::uint32_t kLeafSize = 4;
+constexpr std::uint32_t kLeafSize = 8;
 
-// 0 in a direction in which a box has no end, where all middles are alike.
-double middleOf(const BoundingBox& box, std::size_t axis) {
-	const double middle = box.lo[axis] / 2 + box.hi[axis] / 2;
-	return std::isfinite(middle) ? middle : 0;
+// Where a box begins; 0 in a direction in which it has no end.
+double beginOf(const BoundingBox& box, std::size_t axis) {
+	return std::isfinite(box.lo[axis]) ? box.lo[axis] : 0;
 }
 
 }  // namespace
@@ -25,7 +24,7 @@ double middleOf(const BoundingBox& box, std::size_t axis) {
 BoxTree::BoxTree(std::vector<BoundingBox> boxes) : boxes_(std::move(boxes)), order_(boxes_.size()) {
 	std::iota(order_.begin(), order_.end(), 0u);
 	if (!boxes_.empty()) {
-		nodes_.reserve(boxes_.size() / 2 + 2);
+		nodes_.reserve(boxes_.size() / 2 + 1);  // a leaf holds four or more
 		build(0, static_cast<std::uint32_t>(boxes_.size()));
 	}
 }
@@ -48,21 +47,24 @@ void BoxTree::build(std::uint32_t begin, std::uint32_t end) {
 	if (end - begin <= kLeafSize) {
 		return;
 	}
-	std::array<double, 3> spread{};
+	Point low{}, high{};  // of the boxes' beginnings
 	for (std::size_t k = 0; k < 3; ++k) {
-		double low = middleOf(boxes_[order_[begin]], k), high = low;
-		for (std::uint32_t i = begin; i < end; ++i) {
-			low = std::min(low, middleOf(boxes_[order_[i]], k));
-			high = std::max(high, middleOf(boxes_[order_[i]], k));
-		}
-		spread[k] = high / 2 - low / 2;
+		low[k] = high[k] = beginOf(boxes_[order_[begin]], k);
 	}
+	for (std::uint32_t i = begin; i < end; ++i) {
+		for (std::size_t k = 0; k < 3; ++k) {
+			low[k] = std::min(low[k], beginOf(boxes_[order_[i]], k));
+			high[k] = std::max(high[k], beginOf(boxes_[order_[i]], k));
+		}
+	}
+	const std::array<double, 3> spread{high[0] / 2 - low[0] / 2, high[1] / 2 - low[1] / 2,
+	                                   high[2] / 2 - low[2] / 2};
 	const auto axis =
 	    static_cast<std::size_t>(std::max_element(spread.begin(), spread.end()) - spread.begin());
 	const std::uint32_t middle = begin + (end - begin) / 2;
 	std::nth_element(order_.begin() + begin, order_.begin() + middle, order_.begin() + end,
 	                 [this, axis](std::uint32_t a, std::uint32_t b) {
-		                 return middleOf(boxes_[a], axis) < middleOf(boxes_[b], axis);
+		                 return beginOf(boxes_[a], axis) < beginOf(boxes_[b], axis);
 	                 });
 	build(begin, middle);
 	nodes_[index].right = static_cast<std::uint32_t>(nodes_.size());

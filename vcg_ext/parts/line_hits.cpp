@@ -101,12 +101,13 @@ Status Caster::findCandidates() {
 	};
 	const Status status = parallelForChunks(complex_.faces.size(), kGrain,
 	                                        arrangement_.options.threads, monitor_, list);
-	std::vector<BoundingBox> boxes;
 	for (const std::vector<std::uint32_t>& chunk : chunks) {
-		for (const std::uint32_t face : chunk) {
-			candidates_.push_back(face);
-			boxes.push_back(boxOf(face));
-		}
+		candidates_.insert(candidates_.end(), chunk.begin(), chunk.end());
+	}
+	std::vector<BoundingBox> boxes;
+	boxes.reserve(candidates_.size());
+	for (const std::uint32_t face : candidates_) {
+		boxes.push_back(boxOf(face));
 	}
 	tree_ = BoxTree(std::move(boxes));
 	return status;
