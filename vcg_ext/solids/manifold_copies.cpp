@@ -185,13 +185,17 @@ void Separator::addFan(std::uint32_t begin, std::uint32_t end) {
 	std::vector<RadialPlace> places;
 	if (sortFan_(halfEdges_[begin].low, halfEdges_[begin].high, faces, places)) {
 		// In one place, the face that ends a solid comes before one that begins another. What then
-		// is alike only rounding has brought together: the order is that of coordinates.
+		// is alike only rounding has brought together: the order is that of coordinates, seen along
+		// the edge from its smaller end.
+		const Points& points = block_.points;
+		const HalfEdge& edge = halfEdges_[begin];
+		const bool againstEdge = points[edge.high] < points[edge.low];
 		const auto before = [&](RadialPlace a, RadialPlace b) {
 			const FanFace &f = faces[a.index], &g = faces[b.index];
 			if (a.slot != b.slot || f.forward != g.forward) {
 				return a.slot != b.slot ? a.slot < b.slot : f.forward;
 			}
-			return block_.points[f.apex] < block_.points[g.apex];
+			return againstEdge ? points[g.apex] < points[f.apex] : points[f.apex] < points[g.apex];
 		};
 		std::stable_sort(places.begin(), places.end(), before);
 		for (const RadialPlace place : places) {

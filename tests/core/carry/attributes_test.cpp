@@ -176,6 +176,95 @@ TEST(AttributeSources, ofACommonVertexAreThoseOfTheFirst) {
 	}
 }
 
+// A box whose top and bottom are one polygon each, of n times n pairs of triangles.
+Mesh plate(std::uint32_t n) {
+	Mesh m;
+	const auto number = [n](std::uint32_t i, std::uint32_t j, std::uint32_t k) {
+		return (k * (n + 1) + j) * (n + 1) + i;
+	};
+	for (std::uint32_t v = 0; v < 2 * (n + 1) * (n + 1); ++v) {
+		m.points.push_back(
+		    {1.0 * (v % (n + 1)), 1.0 * (v / (n + 1) % (n + 1)), 1.0 * (v / (n + 1) / (n + 1))});
+	}
+	const auto quad = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d) {
+		m.triangles.push_back({a, b, c});
+		m.triangles.push_back({a, c, d});
+	};
+	for (std::uint32_t i = 0; i < n; ++i) {
+		for (std::uint32_t j = 0; j < n; ++j) {
+			quad(number(i, j, 1), number(i + 1, j, 1), number(i + 1, j + 1, 1),
+			     number(i, j + 1, 1));
+			quad(number(i, j, 0), number(i, j + 1, 0), number(i + 1, j + 1, 0),
+			     number(i + 1, j, 0));
+		}
+		quad(number(i, 0, 0), number(i + 1, 0, 0), number(i + 1, 0, 1), number(i, 0, 1));
+		quad(number(i + 1, n, 0), number(i, n, 0), number(i, n, 1), number(i + 1, n, 1));
+		quad(number(n, i, 0), number(n, i + 1, 0), number(n, i + 1, 1), number(n, i, 1));
+		quad(number(0, i + 1, 0), number(0, i, 0), number(0, i, 1), number(0, i + 1, 1));
+	}
+	const auto isBorder = [&](const Point& a, const Point& b) {
+		return (a[0] == b[0] && (a[0] == 0 || a[0] == n)) ||
+		       (a[1] == b[1] && (a[1] == 0 || a[1] == n));
+	};
+	for (const auto& t : m.triangles) {
+		std::uint8_t faux = 0;
+		const auto& p = m.points;
+		const bool isFlat = p[t[0]][2] == p[t[1]][2] && p[t[1]][2] == p[t[2]][2];
+		for (std::size_t i = 0; i < 3; ++i) {
+			if (isFlat && !isBorder(p[t[i]], p[t[(i + 1) % 3]])) {
+				markFaux(faux, i);
+			}
+		}
+		m.faux.push_back(faux);
+	}
+	return m;
+}
+
+// Whether a point of the plane of a triangle in z = 0 or z = 1 lies in it; exact on a grid.
+bool liesIn(const MeshArrays& given, const Triangle& t, const Point& p) {
+	int left = 0, right = 0;
+	for (std::size_t i = 0; i < 3; ++i) {
+		const Point &a = at(given.points, t[i]), &b = at(given.points, t[(i + 1) % 3]);
+		const double side = (b[0] - a[0]) * (p[1] - a[1]) - (b[1] - a[1]) * (p[0] - a[0]);
+		left += side > 0 ? 1 : 0;
+		right += side < 0 ? 1 : 0;
+	}
+	return (left == 0 || right == 0) && at(given.points, t[0])[2] == p[2];
+}
+
+// A face that was merged has corners outside of its source: they are looked for in its polygon.
+TEST(AttributeSources, areThoseOfTheFirstFaceOfAPolygonThatAVertexLiesIn) {
+	std::mt19937 random(14);
+	const Mesh polygons = permuted(plate(12), random);
+	std::size_t elsewhere = 0;
+	for (const double shift : {0.0, 0.25, 0.5}) {
+		const Sources s = sourcesOf(polygons, box({3 + shift, 2.5, -1}, {8, 9 + shift, 2}),
+		                            Operation::FirstMinusSecond);
+		expectTrue(s);
+		for (std::size_t f = 0; f < s.block.triangles.size(); ++f) {
+			for (std::size_t i = 0; i < 3; ++i) {
+				if (s.sources.corner[f][i] < 3) {
+					continue;
+				}
+				const GivenFace own = s.sources.face[f];
+				const GivenFace found = s.sources.mixes[s.sources.corner[f][i] - 3].face;
+				const Point& p = s.block.points[s.block.triangles[f][i]];
+				const bool isOwn = own == found;
+				elsewhere += isOwn ? 0 : 1;
+				EXPECT_TRUE(isOwn || !liesIn(s.given, Sources::triangle(s.given, own), p));
+				for (std::uint32_t g = 0; g < found.index && !isOwn; ++g) {
+					const Triangle t = Sources::triangle(s.given, {kFirst, g});
+					const bool isFlat =
+					    at(s.given.points, t[0])[2] == at(s.given.points, t[1])[2] &&
+					    at(s.given.points, t[1])[2] == at(s.given.points, t[2])[2];
+					EXPECT_FALSE(isFlat && liesIn(s.given, t, p));
+				}
+			}
+		}
+	}
+	EXPECT_GT(elsewhere, 100u);
+}
+
 // How many vertices lie in each place, at most.
 std::size_t mostCopies(const Block& block) {
 	std::map<Point, std::size_t> copies;

@@ -421,5 +421,25 @@ TEST(Scale, operandsOfAnyMagnitudeAndPlaceAreRight) {
 	EXPECT_EQ(far.arrangement.loopCounts.hardClosed, reference.arrangement.loopCounts.hardClosed);
 }
 
+// No arrangement has such labels; whatever they are, no other rule is read.
+TEST(Blocks, labelsWithoutARuleKeepNothing) {
+	BooleanRun r = run(box({0, 0, 0}, {2, 2, 2}), box({1, 1, 1}, {3, 3, 3}));
+	ASSERT_TRUE(r.status.ok());
+	Monitor monitor;
+	for (const Label label : {Label::OnVertex, Label::Unused, Label::Unknown}) {
+		std::vector<Label>& pieces = r.arrangement.labels.piece;
+		std::vector<Label>& vertices = r.arrangement.labels.vertex;
+		std::fill(pieces.begin(), pieces.end(), label);
+		std::fill(vertices.begin(), vertices.end(), label);
+		for (int k = 0; k < kOperationCount; ++k) {
+			Block block;
+			ASSERT_TRUE(
+			    collectBlock(r.arrangement, static_cast<Operation>(k), monitor, block).ok());
+			EXPECT_TRUE(block.triangles.empty());
+			EXPECT_TRUE(block.points.empty());
+		}
+	}
+}
+
 }  // namespace
 }  // namespace index_boolean

@@ -10,6 +10,8 @@
 
 #include <gtest/gtest.h>
 
+#include <set>
+
 namespace index_boolean {
 namespace {
 
@@ -96,6 +98,72 @@ TEST(ManifoldCopies, anEdgeWithSixFacesComesApart) {
 		expectManifold(r);
 		EXPECT_DOUBLE_EQ(r.volume(Operation::Union), 1 + 1 + 2 + 6 + 6);
 	}
+}
+
+// As many pairs at one edge as there are wedges. Comparing each with each took a minute.
+TEST(ManifoldCopies, aPinwheelComesApartIntoItsWedges) {
+	constexpr std::uint32_t kWedges = 20000;
+	Mesh pinwheel;
+	pinwheel.points = {{0, 0, -1}, {0, 0, 1}};
+	for (std::uint32_t i = 0; i < kWedges; ++i) {
+		const std::uint32_t p = 2 + 2 * i, q = p + 1;
+		for (const double along : {0.0, 0.5}) {
+			const double angle = 2 * 3.141592653589793 * (i + along) / kWedges;
+			pinwheel.points.push_back({std::cos(angle), std::sin(angle), 0});
+		}
+		pinwheel.triangles.insert(pinwheel.triangles.end(),
+		                          {{0, p, 1}, {0, 1, q}, {0, q, p}, {1, p, q}});
+	}
+	Monitor monitor;
+	Arrangement arrangement;
+	Block block;
+	ASSERT_TRUE(
+	    arrange(arrays(pinwheel, box({5, 5, 5}, {6, 6, 6})), {}, monitor, arrangement).ok());
+	ASSERT_TRUE(extractBlock(arrangement, Operation::FirstMinusSecond, monitor, block).ok());
+	EXPECT_TRUE(isManifold(block.triangles));
+	EXPECT_EQ(block.verticesCopied, 2 * (kWedges - 1));
+	EXPECT_EQ(block.points.size(), 4 * kWedges);
+}
+
+// What rounding has put in one place is in no order but that of coordinates: two solids, flat as
+// stored, fall on each other at an edge. Whatever the numbering, the same faces hang together.
+TEST(ManifoldCopies, facesInOnePlaceAsStoredArePairedByTheirCoordinates) {
+	const Points places{{0, 0, 0}, {0, 0, 4}, {4, 0, 1}, {6, 0, 1}, {4, 3, 1}, {6, 5, 2}};
+	const IndexTriangles faces{{0, 1, 2}, {1, 0, 4}, {0, 2, 4}, {1, 4, 2},
+	                           {0, 1, 3}, {1, 0, 5}, {0, 3, 5}, {1, 5, 3}};
+	std::set<std::vector<std::array<Point, 3>>> results;
+	std::mt19937 random(5);
+	for (int i = 0; i < 40; ++i) {
+		const Mesh m = permuted({places, faces, {}}, random);
+		Block block;
+		block.points = m.points;
+		block.triangles = m.triangles;
+		block.vertexSource.assign(places.size(), VertexId{0});
+		block.faceSource.assign(faces.size(), FaceSource{FaceId{0}, false});
+		for (const Point& p : m.points) {
+			block.suspect.push_back(p[0] == 0 ? 1 : 0);
+		}
+		Monitor monitor;
+		ASSERT_TRUE(copyNonManifoldAsStored(OutputScalar::Double, monitor, block).ok());
+		// Which apexes hang together across the edge.
+		std::map<std::uint32_t, std::vector<Point>> apexes;
+		for (const auto& t : block.triangles) {
+			for (std::size_t k = 0; k < 3; ++k) {
+				if (block.points[t[k]] == places[0] && block.points[t[(k + 1) % 3]][0] != 0) {
+					apexes[t[k]].push_back(block.points[t[(k + 1) % 3]]);
+				}
+			}
+		}
+		std::vector<std::array<Point, 3>> together;
+		for (auto& [vertex, ends] : apexes) {
+			std::sort(ends.begin(), ends.end());
+			ends.resize(3);
+			together.push_back({ends[0], ends[1], ends[2]});
+		}
+		std::sort(together.begin(), together.end());
+		results.insert(together);
+	}
+	EXPECT_EQ(results.size(), 1u);
 }
 
 // No solid has such a surface: around vertex 0 it runs through the vertices 1 and 2 in turn, twice.

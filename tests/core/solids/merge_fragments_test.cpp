@@ -4,6 +4,9 @@
 // Cuts that part nothing leave no trace, and coplanar neighbours become one face where asked for.
 #include "core/shapes.h"
 
+#include <vcg_ext/arrange/places.h>
+#include <vcg_ext/solids/merge_fragments.h>
+
 #include <gtest/gtest.h>
 
 #include <functional>
@@ -168,6 +171,109 @@ TEST(MergeFragments, longChainsOfRunsOnAGridAreNeverRefused) {
 		}
 	}
 	EXPECT_GT(runs, 300u);
+}
+
+// A prism over a pentagon whose wall edge at (1, 1) is one vertex at its bottom, two at its top.
+Mesh prismWithASplitEdge() {
+	Mesh m;
+	const std::array<std::array<double, 2>, 5> base{{{1, 1}, {2, -1}, {4, -1}, {4, 3}, {2, 3}}};
+	for (const double z : {-1.0, 1.0}) {
+		for (const auto& [x, y] : base) {
+			m.points.push_back({x, y, z});
+		}
+	}
+	m.points.push_back({1, 1 + 0x1p-52, 1});
+	m.triangles = {{0, 2, 1},  {0, 3, 2}, {0, 4, 3}, {5, 6, 7},  {5, 7, 8},  {5, 8, 9},
+	               {5, 9, 10}, {0, 1, 6}, {0, 6, 5}, {1, 2, 7},  {1, 7, 6},  {2, 3, 8},
+	               {2, 8, 7},  {3, 4, 9}, {3, 9, 8}, {4, 0, 10}, {4, 10, 9}, {0, 5, 10}};
+	return m;
+}
+
+// Faces around one vertex, in a wall of the first operand; its other corners are points of the
+// curve, ccw, and two of them have the same coordinates once rounded.
+struct StarInAWall {
+	Arrangement arrangement;
+	VertexId centre;
+	std::vector<VertexId> around;
+
+	StarInAWall() {
+		Mesh wall;
+		wall.points = {{-40, -40, 0}, {40, -40, 0}, {0, 60, 0}, {0, 0, -30}};
+		wall.triangles = {{0, 1, 2}, {1, 0, 3}, {2, 1, 3}, {0, 2, 3}};
+		Mesh cavity;  // stands on the wall
+		cavity.points = {{2, 1, 0}, {2.5, 0.5, 0}, {2.5, 1.5, 0}, {2.25, 1, 0.5}};
+		cavity.triangles = {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}};
+		Monitor monitor;
+		const Status status = arrange(arrays(wall, joined(prismWithASplitEdge(), turned(cavity))),
+		                              {}, monitor, arrangement);
+		EXPECT_TRUE(status.ok()) << describe(status);
+		centre = {4 + 11};
+		listAround();
+	}
+
+	// In front of the wall's own outline, counter-clockwise from the upper one of the two.
+	void listAround() {
+		for (const Point& p :
+		     {Point{1, 1, 0}, Point{2, -1, 0}, Point{4, -1, 0}, Point{4, 3, 0}, Point{2, 3, 0}}) {
+			for (std::uint32_t i = 0; i < arrangement.curve.pointCount(); ++i) {
+				if (arrangement.curve.rounded[i] == p) {
+					around.push_back(arrangement.vertexOf({i}));
+				}
+			}
+		}
+		ASSERT_EQ(around.size(), 6u);
+		if (comparePlaces(arrangement, around[0], around[1]) < 0) {
+			std::swap(around[0], around[1]);
+		}
+	}
+
+	// The faces without the centre, by what their corners are. \param order of the vertices
+	std::vector<std::array<std::uint32_t, 3>> merged(const std::vector<VertexId>& order) const {
+		Block block;
+		for (const VertexId v : order) {
+			block.points.push_back(outputCoordinates(arrangement, v));
+			block.vertexSource.push_back(v);
+			block.suspect.push_back(v == centre ? 1 : 0);
+		}
+		const auto number = [&](VertexId v) {
+			return static_cast<std::uint32_t>(std::find(order.begin(), order.end(), v) -
+			                                  order.begin());
+		};
+		for (std::size_t i = 0; i < around.size(); ++i) {
+			block.triangles.push_back(
+			    {number(centre), number(around[i]), number(around[(i + 1) % around.size()])});
+			block.faceSource.push_back({FaceId{0}, false});
+		}
+		Monitor monitor;
+		EXPECT_TRUE(mergeFragments(arrangement, monitor, block).ok());
+		std::vector<std::array<std::uint32_t, 3>> faces;
+		for (const auto& t : block.triangles) {
+			std::array<std::uint32_t, 3> corners{block.vertexSource[t[0]].value,
+			                                     block.vertexSource[t[1]].value,
+			                                     block.vertexSource[t[2]].value};
+			std::rotate(corners.begin(), std::min_element(corners.begin(), corners.end()),
+			            corners.end());
+			faces.push_back(corners);
+		}
+		std::sort(faces.begin(), faces.end());
+		return faces;
+	}
+};
+
+TEST(MergeFragments, theNumberingDoesNotTellNeighboursInOneRoundedPlaceApart) {
+	const StarInAWall star;
+	ASSERT_EQ(star.arrangement.coordinates(star.around[0]),
+	          star.arrangement.coordinates(star.around[1]));
+	ASSERT_NE(comparePlaces(star.arrangement, star.around[0], star.around[1]), 0);
+	std::vector<VertexId> order = star.around;
+	order.push_back(star.centre);
+	const auto faces = star.merged(order);
+	EXPECT_EQ(faces.size(), 4u);
+	std::mt19937 random(3);
+	for (int i = 0; i < 50; ++i) {
+		std::shuffle(order.begin(), order.end(), random);
+		EXPECT_EQ(star.merged(order), faces);
+	}
 }
 
 TEST(MergeCoplanar, cubesThatOverlapAtACornerHaveTheFewestFaces) {
