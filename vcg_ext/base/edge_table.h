@@ -58,6 +58,7 @@ struct EdgeItem {
 	}
 };
 
+// An item on the edge between two vertices, whatever their order.
 template <class Item>
 EdgeItem<Item> makeEdgeItem(std::uint32_t from, std::uint32_t to, const Item& item) {
 	return {std::min(from, to), std::max(from, to), item};

@@ -73,24 +73,6 @@ void FaceLocator::listLargeParts() {
 	}
 }
 
-bool FaceLocator::isAt(VertexId input, std::uint32_t vertex) const {
-	const VertexId source = mesh_.vertexSource[vertex];
-	if (source == input) {
-		return true;
-	}
-	const Points& points = arrangement_.mesh.points;
-	return source.value < points.size() && at(points, source) == at(points, input);
-}
-
-int FaceLocator::cornerOf(const Triangle& given, std::uint32_t vertex) const {
-	for (int j = 0; j < 3; ++j) {
-		if (isAt(given[static_cast<std::size_t>(j)], vertex)) {
-			return j;
-		}
-	}
-	return -1;
-}
-
 // The corner of a given triangle at the place of an input vertex, or -1.
 int FaceLocator::cornerOfName(const Triangle& given, std::uint32_t id) const {
 	const Points& points = arrangement_.mesh.points;

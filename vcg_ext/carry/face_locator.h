@@ -70,4 +70,22 @@ private:
 	std::size_t largePartCount_ = 0;
 };
 
+inline bool FaceLocator::isAt(VertexId input, std::uint32_t vertex) const {
+	const VertexId source = mesh_.vertexSource[vertex];
+	if (source == input) {
+		return true;
+	}
+	const Points& points = arrangement_.mesh.points;
+	return source.value < points.size() && at(points, source) == at(points, input);
+}
+
+inline int FaceLocator::cornerOf(const Triangle& given, std::uint32_t vertex) const {
+	for (int j = 0; j < 3; ++j) {
+		if (isAt(given[static_cast<std::size_t>(j)], vertex)) {
+			return j;
+		}
+	}
+	return -1;
+}
+
 }  // namespace index_boolean

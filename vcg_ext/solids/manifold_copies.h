@@ -25,6 +25,8 @@ Status copyNonManifold(const Arrangement& arrangement, Monitor& monitor, Block& 
 // The same by the block's coordinates as stored, with midpoints where nothing else helps: an edge
 // too short to have a midpoint between its ends keeps its faces.
 // \pre no face has zero area
+// \return Ok or Cancelled
+// Complexity: O(n + k log k) for n faces, k of them at suspect vertices; O(1) if there are none.
 Status copyNonManifoldAsStored(OutputScalar scalar, Monitor& monitor, Block& block);
 
 }  // namespace index_boolean
