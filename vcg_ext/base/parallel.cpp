@@ -28,14 +28,9 @@ int maxThreads() {
 #endif
 }
 
-// Thread 0 of a region is the thread that opened it; outside of regions there is only thread 0.
-bool isCallingThread() {
-#ifdef _OPENMP
-	return omp_get_thread_num() == 0;
-#else
-	return true;
-#endif
-}
+// Whether this thread helps another one, which called runChunks. That one may have any number in a
+// team of the host's own, so what tells is that a region of ours has been entered as a helper.
+thread_local bool helping = false;
 
 // What the threads of one region share.
 struct Run {
@@ -64,7 +59,6 @@ void runOneChunk(Run& run, std::size_t chunk) {
 // Takes chunks until none is left or the run stops. One call per thread.
 void work(Run& run) {
 	const FpEnvironmentGuard environment;
-	const bool reports = isCallingThread();
 	while (!run.stopped()) {
 		const std::size_t chunk = run.next.fetch_add(1, std::memory_order_relaxed);
 		if (chunk >= run.chunks) {
@@ -72,16 +66,28 @@ void work(Run& run) {
 		}
 		runOneChunk(run, chunk);
 		const std::size_t finished = run.finished.fetch_add(1, std::memory_order_relaxed) + 1;
-		if (reports) {
+		if (!helping) {
 			run.monitor.report(static_cast<double>(finished) / static_cast<double>(run.chunks));
 		}
 	}
 }
 
 #ifdef _OPENMP
+void help(Run& run) {
+	const bool outer = helping;
+	helping = true;
+	work(run);
+	helping = outer;
+}
+
+// Thread 0 of a region is the thread that opened it.
 void workTogether(Run& run, int team) {
 #pragma omp parallel num_threads(team) default(none) shared(run)
-	work(run);
+	if (omp_get_thread_num() == 0) {
+		work(run);
+	} else {
+		help(run);
+	}
 }
 #else
 void workTogether(Run& run, int) { work(run); }
@@ -105,7 +111,7 @@ FpEnvironmentGuard::~FpEnvironmentGuard() {
 }
 
 bool pollCancelled(Monitor& monitor) {
-	if (isCallingThread()) {
+	if (!helping) {
 		monitor.report(0);
 	}
 	return monitor.cancelled();

@@ -8,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <atomic>
 #include <cfenv>
 #include <chrono>
@@ -178,6 +179,44 @@ TEST(Parallel, callbackIsCalledOnTheCallingThreadOnly) {
 	EXPECT_TRUE(status.ok());
 	EXPECT_EQ(callers, std::set<std::thread::id>{std::this_thread::get_id()});
 }
+
+#ifdef _OPENMP
+// A host may start a run from any thread of a team of its own, which may open further regions.
+TEST(Parallel, anyThreadOfAHostsTeamIsAskedAboutItsOwnRun) {
+	const int levelsBefore = omp_get_max_active_levels();
+	for (const int levels : {1, 2}) {
+		for (const int threads : {1, 4}) {
+			omp_set_max_active_levels(levels);
+			std::array<StatusCode, 2> codes{StatusCode::Ok, StatusCode::Ok};
+			std::array<std::atomic<int>, 2> calls{}, callsElsewhere{}, polls{};
+#pragma omp parallel num_threads(2)
+			{
+				const auto host = static_cast<std::size_t>(omp_get_thread_num());
+				Monitor monitor(
+				    [&, host, caller = std::this_thread::get_id()](double, const char*) {
+					    ++calls[host];
+					    callsElsewhere[host] += std::this_thread::get_id() == caller ? 0 : 1;
+					    return calls[host] < 3;
+				    });
+				const Status status =
+				    parallelFor(200, 1, threads, monitor, [&](std::size_t, std::size_t) {
+					    std::this_thread::sleep_for(std::chrono::milliseconds(2));
+					    polls[host] += pollCancelled(monitor) ? 1 : 0;
+				    });
+				codes[host] = status.code;
+			}
+			for (const std::size_t host : {0U, 1U}) {
+				EXPECT_EQ(codes[host], StatusCode::Cancelled)
+				    << "thread " << host << ", " << threads << " threads, " << levels << " levels";
+				EXPECT_EQ(calls[host], 3);
+				EXPECT_EQ(callsElsewhere[host], 0) << "the thread that started the run is asked";
+				EXPECT_GT(polls[host], 0);
+			}
+		}
+	}
+	omp_set_max_active_levels(levelsBefore);
+}
+#endif
 
 TEST(Parallel, finishedChunksAreReported) {
 	double last = 0;
