@@ -3,9 +3,29 @@
 //
 // A line sweeps from left to right. Between two neighbouring edges that it crosses (an interval,
 // owned by the lower edge) lies a chain: the right border of what is triangulated there, from the
-// left end of the lower edge to the left end of the upper one. No triangle fits into a chain, so it
-// bulges to the right, and a new point sees a connected part of it that starts at an end or, for a
-// point that no edge reaches from the left, at the point of the chain that was added last.
+// left end of the lower edge to the left end of the upper one.
+//
+// Why it triangulates: after each point, (1) a chain turns left at all its inner points, so that it
+// bulges to the right and no triangle fits into it, and (2) `last` is its rightmost point. From (1)
+// follows that what a new point sees of a chain is connected. What happens to its intervals:
+// - Between two edges that end at the point the chain lies in the triangle of its ends and the
+//   point. So its first and last links are seen, hence all; a fan fills the interval.
+// - Below the lowest such edge the chain's top, being that edge's left end, is seen; what else is,
+//   begins there. Cutting it off and adding the point as new top keeps (1) and (2). Above the
+//   highest such edge, the same from the bottom.
+// - If no edge ends at the point, it lies inside one interval, where nothing is further right than
+//   `last`: so no edge is between the two. The chain is parted there and both parts treated as
+//   above.
+// - If no edge begins at the point, both parts are one chain again, and at the point, its
+// rightmost,
+//   it turns left. Else the edges part them, and a chain of the point alone is between every two.
+// Each link is covered from the right once, and no edge is ever crossed. When no edge is left, all
+// between the polygon's sides is covered, and every edge is a side of triangles. Finding an
+// interval takes O(log n), and each link is cut off once.
+//
+// Why it is local: all that is done reads one chain, which belongs to one of the regions that the
+// edges part the polygon into, and the edges around it. What triangles a region gets does not
+// depend on what lies around it: coplanar faces of two operands are cut alike where they overlap.
 #include "vcg_ext/exact/planar_sweep.h"
 
 #include "vcg_ext/base/ids.h"

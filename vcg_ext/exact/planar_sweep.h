@@ -4,7 +4,8 @@
 // in: a convex polygon in the plane with points and non-crossing edges inside it; out: triangles
 // that cover it and contain every edge.
 // Guarantee: O(n log n), only orientation signs of the points are asked for; holes, dangling edges,
-// several components and isolated points are all right; the result depends on the geometry alone.
+// several components and isolated points are all right; the result depends on the geometry alone,
+// and in each region that the edges part, on that region's alone.
 // Source: the sweep of Hertel and Mehlhorn, "Fast triangulation of simple polygons" (1983), taken
 // from polygons to any set of edges.
 #pragma once

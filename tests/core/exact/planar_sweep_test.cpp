@@ -3,7 +3,7 @@
 //
 // The sweep on integer grids, where orientation is exact in 64 bits: random non-crossing edges
 // with holes, dangling ends, isolated points and collinear runs.
-#include <vcg_ext/exact/planar_sweep.h>
+#include "core/exact/planar_grid.h"
 
 #include <gtest/gtest.h>
 
@@ -14,34 +14,6 @@
 
 namespace index_boolean {
 namespace {
-
-struct GridPoint {
-	std::int64_t x, y;
-	friend bool operator<(GridPoint a, GridPoint b) { return a.x != b.x ? a.x < b.x : a.y < b.y; }
-};
-
-std::int64_t area(GridPoint a, GridPoint b, GridPoint c) {
-	return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
-}
-
-class GridOrientation : public PlanarOrientation {
-public:
-	explicit GridOrientation(const std::vector<GridPoint>& points) : points_(points) {}
-	int operator()(std::uint32_t a, std::uint32_t b, std::uint32_t c) const override {
-		++calls;
-		const std::int64_t value = area(points_[a], points_[b], points_[c]);
-		return (value > 0) - (value < 0);
-	}
-	mutable std::size_t calls = 0;
-
-private:
-	const std::vector<GridPoint>& points_;
-};
-
-bool onSegment(GridPoint p, GridPoint a, GridPoint b) {
-	return area(a, b, p) == 0 && std::min(a.x, b.x) <= p.x && p.x <= std::max(a.x, b.x) &&
-	       std::min(a.y, b.y) <= p.y && p.y <= std::max(a.y, b.y);
-}
 
 bool cross(GridPoint a, GridPoint b, GridPoint c, GridPoint d) {
 	const auto sign = [](std::int64_t v) { return (v > 0) - (v < 0); };
