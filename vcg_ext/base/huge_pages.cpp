@@ -13,15 +13,6 @@
 #include <mutex>
 #include <new>
 
-// An address sanitizer has to see each block that is taken and given back: then the heap it is.
-#if defined(__SANITIZE_ADDRESS__)
-#define INDEX_BOOLEAN_HEAP_ONLY
-#elif defined(__has_feature)
-#if __has_feature(address_sanitizer)
-#define INDEX_BOOLEAN_HEAP_ONLY
-#endif
-#endif
-
 #if defined(__linux__) && !defined(INDEX_BOOLEAN_HEAP_ONLY)
 #include <sys/mman.h>
 #endif

@@ -9,6 +9,15 @@
 #include <cstddef>
 #include <vector>
 
+// An address sanitizer has to see each block that is taken and given back: then the heap it is.
+#if defined(__SANITIZE_ADDRESS__)
+#define INDEX_BOOLEAN_HEAP_ONLY
+#elif defined(__has_feature)
+#if __has_feature(address_sanitizer)
+#define INDEX_BOOLEAN_HEAP_ONLY
+#endif
+#endif
+
 namespace index_boolean {
 
 // Memory for an array. Its first touch costs as much as writing it ten times in pages of 4 KiB, so
