@@ -54,12 +54,12 @@ Status checkSizes(const ChunkBegin& all, const Arrangement& arrangement) {
 void makeRoom(const ChunkBegin& all, std::size_t faceCount, Refinement& out) {
 	out.nodeCount = static_cast<std::uint32_t>(all.node);
 	out.isCut.assign(faceCount, 0);
-	out.cutFaces.resize(all.cutFaces);
-	out.pieces.resize(all.pieces);
-	out.pieceRegion.resize(all.pieces);
-	out.sides.resize(all.sides);
-	out.links.resize(all.links);
-	out.cornerLinks.resize(all.cornerLinks);
+	out.cutFaces.resizeForOverwrite(all.cutFaces);
+	out.pieces.resizeForOverwrite(all.pieces);
+	out.pieceRegion.resizeForOverwrite(all.pieces);
+	out.sides.resizeForOverwrite(all.sides);
+	out.links.resizeForOverwrite(all.links);
+	out.cornerLinks.resizeForOverwrite(all.cornerLinks);
 }
 
 // Writes one chunk to its place.

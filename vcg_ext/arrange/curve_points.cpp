@@ -76,7 +76,7 @@ Status numberPoints(Arrangement& arrangement, const Contacts& contacts, Monitor&
 
 Status roundPoints(Arrangement& arrangement, Monitor& monitor) {
 	Curve& curve = arrangement.curve;
-	curve.rounded.resize(curve.pointCount());
+	curve.rounded.resizeForOverwrite(curve.pointCount());
 	const auto roundSome = [&](std::size_t begin, std::size_t end) {
 		for (std::size_t p = begin; p < end; ++p) {
 			ExactPoint point = exactPoint(arrangement, arrangement.vertexOf(makeId<PointTag>(p)));

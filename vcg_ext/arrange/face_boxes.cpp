@@ -140,7 +140,7 @@ public:
 	    : mesh_(mesh), frame_(frame), threads_(threads), monitor_(monitor) {}
 
 	Status mapVertices() {
-		points_.resize(mesh_.points.size());
+		points_.resizeForOverwrite(mesh_.points.size());
 		return parallelFor(mesh_.points.size(), kGrain, threads_, monitor_,
 		                   [&](std::size_t begin, std::size_t end) {
 			                   for (std::size_t i = begin; i < end; ++i) {

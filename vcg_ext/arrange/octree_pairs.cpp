@@ -63,7 +63,7 @@ public:
 	FaceBox* reserve(std::size_t size) {
 		if (size > boxes_.size()) {
 			boxes_ = HugeVector<FaceBox>();  // before the larger one is there
-			boxes_.resize(size);
+			boxes_.resizeForOverwrite(size);
 		}
 		return boxes_.data();
 	}

@@ -95,7 +95,7 @@ Status SelfSearch::findBox(BoundingBox& out) const {
 Status SelfSearch::collectBoxes(const BoundingBox& box) {
 	const BoxFrame frame = makeBoxFrame(box);
 	halfSize_ = frame.halfSize;
-	boxes_.resize(count_);
+	boxes_.resizeForOverwrite(count_);
 	return parallelFor(count_, kGrain, arrangement_.options.threads, monitor_,
 	                   [&](std::size_t begin, std::size_t end) {
 		                   for (std::size_t i = begin; i < end; ++i) {

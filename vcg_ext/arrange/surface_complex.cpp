@@ -96,7 +96,7 @@ Status Builder::addUncutFaces() {
 		    begins[chunk + 1] = static_cast<std::size_t>(std::count(first, last, 0));
 	    });
 	std::partial_sum(begins.begin(), begins.end(), begins.begin());
-	out_.faces.resize(begins.back());
+	out_.faces.resizeForOverwrite(begins.back());
 	if (status.ok()) {
 		status = parallelForChunks(n, kGrain, threads, monitor_,
 		                           [&](std::size_t chunk, std::size_t begin, std::size_t end) {

@@ -5,6 +5,7 @@
 // for any number of threads, if the order is total.
 #pragma once
 
+#include "vcg_ext/base/huge_vector.h"
 #include "vcg_ext/base/monitor.h"
 #include "vcg_ext/base/parallel.h"
 #include "vcg_ext/base/status.h"
@@ -47,7 +48,7 @@ Status bucketSort(Array& items, std::size_t keyCount, KeyOf&& keyOf, Before&& be
 	for (std::size_t bucket = 1; bucket < ends.size(); ++bucket) {
 		ends[bucket] += ends[bucket - 1];
 	}
-	Array sorted(items.size());
+	Array sorted = arrayForOverwrite(items.size(), items);
 	for (const Item& item : items) {
 		sorted[ends[bucketOf(item)]++] = item;
 	}

@@ -18,7 +18,8 @@ namespace index_boolean {
 class ConcurrentSets {
 public:
 	ConcurrentSets() = default;
-	explicit ConcurrentSets(std::size_t size) : parents_(size) {}
+	explicit ConcurrentSets(std::size_t size)
+	    : parents_(HugeVector<std::atomic<std::uint32_t>>::forOverwrite(size)) {}
 
 	// Before any are united, for all elements [begin, end): they are in no set until they are
 	// united with others.

@@ -17,7 +17,7 @@ namespace index_boolean {
 
 class UnionFind {
 public:
-	explicit UnionFind(std::size_t n) : parent_(n) {
+	explicit UnionFind(std::size_t n) : parent_(HugeVector<std::uint32_t>::forOverwrite(n)) {
 		std::iota(parent_.begin(), parent_.end(), 0u);
 	}
 

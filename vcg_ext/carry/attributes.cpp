@@ -74,8 +74,8 @@ void lowerTo(FaceRank value, std::atomic<FaceRank>& number) {
 Status SourceFinder::findFaces() {
 	const std::size_t n = mesh_.points.size();
 	const int threads = arrangement_.options.threads;
-	chosen_ = HugeVector<std::atomic<FaceRank>>(n);
-	out_.face.resize(mesh_.triangles.size());
+	chosen_ = HugeVector<std::atomic<FaceRank>>::forOverwrite(n);
+	out_.face.resizeForOverwrite(mesh_.triangles.size());
 	const Status status =
 	    parallelFor(n, kGrain, threads, monitor_, [&](std::size_t begin, std::size_t end) {
 		    for (std::size_t v = begin; v < end; ++v) {
@@ -115,8 +115,8 @@ Status SourceFinder::listWanted(std::size_t n, List&& list) {
 
 Status SourceFinder::findVertices() {
 	const std::size_t n = mesh_.points.size();
-	out_.vertex.resize(n);
-	out_.turned.resize(n);
+	out_.vertex.resizeForOverwrite(n);
+	out_.turned.resizeForOverwrite(n);
 	std::atomic<bool> isAlone{false};
 	const auto find = [&](std::uint32_t v, std::vector<Wanted>& wanted) {
 		const FaceRank chosen = chosen_[v].load(std::memory_order_relaxed);
@@ -154,7 +154,7 @@ Status SourceFinder::findVertices() {
 Status SourceFinder::findCorners() {
 	constexpr std::uint32_t kFirstMix = 3;
 	const std::size_t n = mesh_.triangles.size();
-	out_.corner.resize(n);
+	out_.corner.resizeForOverwrite(n);
 	return listWanted(n, [&](std::size_t begin, std::size_t end, std::vector<Wanted>& wanted) {
 		for (std::size_t f = begin; f < end; ++f) {
 			const FaceId source = mesh_.faceSource[f].face;

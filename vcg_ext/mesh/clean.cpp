@@ -556,7 +556,8 @@ void writeBack(const Neighbourhood& local, const std::vector<std::uint32_t>& rep
 	}
 	relocation.count = closeHoles(holes.data() + filled, holes.data() + holes.size(),
 	                              triangles.size() + added, moves);
-	triangles.resize(triangles.size() + added);  // the last allocation: nothing can fail from here
+	triangles.resizeForOverwrite(triangles.size() +
+	                             added);  // the last allocation: nothing can fail from here
 	const auto write = [&](std::size_t to, const NearFace& face) {
 		const IndexTriangle& c = face.corners;
 		triangles[to] = {representative[c[0]], representative[c[1]], representative[c[2]]};

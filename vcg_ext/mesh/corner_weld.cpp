@@ -196,7 +196,7 @@ Status CornerWelder::replaceCorners(const std::vector<Move>& moves, std::size_t 
 	if (moves.empty()) {
 		return {};
 	}
-	HugeVector<VertexId> canonical(mesh_.points.size());
+	auto canonical = HugeVector<VertexId>::forOverwrite(mesh_.points.size());
 	Status status = parallelFor(mesh_.points.size(), kGrain, threads_, monitor_,
 	                            [&canonical](std::size_t begin, std::size_t end) {
 		                            for (std::size_t v = begin; v < end; ++v) {

@@ -38,8 +38,8 @@ Status joinSurfaces(const std::vector<SurfaceView>& surfaces, int threads, Monit
 		out.vertexOffsets.setEnd(operand, pointCount);
 		out.faceOffsets.setEnd(operand, faceCount);
 	}
-	out.points.resize(pointCount);
-	out.triangles.resize(faceCount);
+	out.points.resizeForOverwrite(pointCount);
+	out.triangles.resizeForOverwrite(faceCount);
 	for (std::size_t k = 0; k < surfaces.size() && status.ok(); ++k) {
 		const SurfaceView& surface = surfaces[k];
 		const std::uint32_t first = out.vertexOffsets.begin(makeId<OperandTag>(k));

@@ -100,8 +100,8 @@ private:
 // Makes room in the arrays for an operand's elements behind those that are there.
 inline void growArrays(std::size_t vertexCount, std::size_t faceCount, OperandId operand,
                        MeshArrays& out) {
-	out.points.resize(out.points.size() + vertexCount);
-	out.triangles.resize(out.triangles.size() + faceCount);
+	out.points.resizeForOverwrite(out.points.size() + vertexCount);
+	out.triangles.resizeForOverwrite(out.triangles.size() + faceCount);
 	if (!out.faux.empty()) {
 		out.faux.resize(out.triangles.size(), 0);
 	}

@@ -37,7 +37,7 @@ Links collectLinks(const Triangle* begin, const Triangle* end, VertexRange range
 		sum += first;
 		first = sum;  // the end; filling moves it to the beginning
 	}
-	links.edges.resize(sum);
+	links.edges.resizeForOverwrite(sum);
 	for (const Triangle* t = begin; t != end; ++t) {
 		for (std::size_t i = 0; i < 3; ++i) {
 			const std::uint32_t v = (*t)[i].value - range.begin;

@@ -104,7 +104,7 @@ std::uint32_t SplitMeshCollector::numberOf(VertexId v) const {
 Status SplitMeshCollector::placeVertices() {
 	listVertices();
 	const HugeVector<VertexId>& used = out_.vertexSource;
-	out_.points.resize(used.size());
+	out_.points.resizeForOverwrite(used.size());
 	return parallelFor(used.size(), kGrain, arrangement_.options.threads, monitor_,
 	                   [&](std::size_t begin, std::size_t end) {
 		                   for (std::size_t v = begin; v < end; ++v) {
@@ -141,10 +141,10 @@ Status SplitMeshCollector::markPolygons() {
 
 Status SplitMeshCollector::writeFaces() {
 	const std::size_t n = chosen_.size();
-	out_.triangles.resize(n);
-	out_.faceSource.resize(n);
-	out_.subSurface.resize(n);
-	out_.beside.resize(n);
+	out_.triangles.resizeForOverwrite(n);
+	out_.faceSource.resizeForOverwrite(n);
+	out_.subSurface.resizeForOverwrite(n);
+	out_.beside.resizeForOverwrite(n);
 	const auto write = [&](std::size_t begin, std::size_t end) {
 		for (std::size_t i = begin; i < end; ++i) {
 			const ChosenFace& face = chosen_[i];

@@ -116,7 +116,7 @@ Status SubSurfaceFinder::unitePatches() {
 
 // A near face without a plain vertex is a patch of its own.
 void SubSurfaceFinder::numberPatches() {
-	patch_.resize(vertexCount_);
+	patch_.resizeForOverwrite(vertexCount_);
 	for (std::uint32_t v = 0; v < vertexCount_; ++v) {
 		if (patches_.root(v) == v && complex_.isPlain({v})) {
 			patch_[v] = patchCount_++;
@@ -312,9 +312,9 @@ Status SubSurfaceFinder::listFaces() {
 			at(next, id) -= smallest >= run.begin && smallest < run.end ? 1 : 0;
 		}
 	}
-	out_.ofFace.resize(n);
-	out_.turned.resize(n);
-	out_.faces.resize(n);
+	out_.ofFace.resizeForOverwrite(n);
+	out_.turned.resizeForOverwrite(n);
+	out_.faces.resizeForOverwrite(n);
 	const auto fill = [&](std::size_t chunk, std::size_t, std::size_t) {
 		for (std::size_t i = 0; i < runs_[chunk].size(); ++i) {
 			const FaceRun& run = runs_[chunk][i];

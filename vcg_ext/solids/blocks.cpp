@@ -136,12 +136,12 @@ Status BlockCollector::collectVertices() {
 	if (!status.ok()) {
 		return status;
 	}
-	newIndex_.resize(n + arrangement_.curve.pointCount());
+	newIndex_.resizeForOverwrite(n + arrangement_.curve.pointCount());
 	const std::vector<VertexId> onOther = keptOnOther();
 	out_.points.reserve(begins.back() + onOther.size());
 	out_.vertexSource.reserve(begins.back() + onOther.size());
-	out_.points.resize(begins.back());
-	out_.vertexSource.resize(begins.back());
+	out_.points.resizeForOverwrite(begins.back());
+	out_.vertexSource.resizeForOverwrite(begins.back());
 	status = parallelForChunks(
 	    n, kGrain, threads, monitor_, [&](std::size_t chunk, std::size_t begin, std::size_t end) {
 		    std::size_t slot = begins[chunk];
@@ -253,8 +253,8 @@ Status BlockCollector::collectFaces() {
 	const std::size_t most = begins.back() + arrangement_.refinement.pieces.size();
 	out_.triangles.reserve(most);
 	out_.faceSource.reserve(most);
-	out_.triangles.resize(begins.back());
-	out_.faceSource.resize(begins.back());
+	out_.triangles.resizeForOverwrite(begins.back());
+	out_.faceSource.resizeForOverwrite(begins.back());
 	return parallelForChunks(
 	    n, kGrain, threads, monitor_, [&](std::size_t chunk, std::size_t begin, std::size_t end) {
 		    std::size_t slot = begins[chunk];

@@ -78,6 +78,26 @@ TEST(HugeVector, aCountBeyondAllMemoryIsAnExceptionNotAShortArray) {
 	EXPECT_TRUE(points.empty());
 }
 
+TEST(HugeVector, newItemsHaveAValueUnlessTheyAreForOverwrite) {
+	constexpr std::size_t kCount = std::size_t{1} << 20;
+	const PageReuse pages;
+	for (int i = 0; i < 2; ++i) {
+		HugeVector<std::uint64_t>(kCount, 7);  // leaves its memory to the next
+		HugeVector<std::uint64_t> counted(kCount);
+		EXPECT_EQ(std::count(counted.begin(), counted.end(), 0u), kCount);
+		HugeVector<std::uint64_t> resized(3, 5);
+		resized.resize(kCount);
+		EXPECT_EQ(std::count(resized.begin(), resized.end(), 0u), kCount - 3);
+		resized.resize(2);
+		resized.emplace_back();
+		EXPECT_EQ(resized, (HugeVector<std::uint64_t>{5, 5, 0}));
+		resized.resizeForOverwrite(kCount);
+		EXPECT_EQ(resized.size(), kCount);
+		EXPECT_EQ(resized[1], 5u);
+		EXPECT_EQ(HugeVector<std::uint64_t>::forOverwrite(kCount).size(), kCount);
+	}
+}
+
 // Whatever is kept and divided, no two arrays that live share a byte, and none lose one.
 TEST(PageReuse, arraysKeepWhatTheyHoldWhileMemoryGoesRound) {
 	std::mt19937 random(7);
@@ -90,17 +110,17 @@ TEST(PageReuse, arraysKeepWhatTheyHoldWhileMemoryGoesRound) {
 		for (const std::uint32_t value : live[i]) {
 			ASSERT_EQ(value, i * 1000003);
 		}
-		live[i] = HugeVector<std::uint32_t>(random() % (std::size_t{3} << 19));
+		live[i] = HugeVector<std::uint32_t>::forOverwrite(random() % (std::size_t{3} << 19));
 		std::fill(live[i].begin(), live[i].end(), static_cast<std::uint32_t>(i * 1000003));
 	}
 }
 
-#if defined(__linux__) && !defined(__SANITIZE_ADDRESS__)
+#if defined(__linux__) && !defined(INDEX_BOOLEAN_HEAP_ONLY)
 TEST(PageReuse, givesTheSameMemoryAgain) {
 	constexpr std::size_t kCount = std::size_t{1} << 20;
 	const PageReuse pages;
-	const void* first = HugeVector<std::uint64_t>(kCount).data();
-	EXPECT_EQ(HugeVector<std::uint64_t>(kCount).data(), first);
+	const void* first = HugeVector<std::uint64_t>::forOverwrite(kCount).data();
+	EXPECT_EQ(HugeVector<std::uint64_t>::forOverwrite(kCount).data(), first);
 	EXPECT_EQ(reinterpret_cast<std::uintptr_t>(first) % 4096, 0u);
 }
 #endif
