@@ -49,12 +49,13 @@ private:
 
 template <class Enters, class Visit>
 void BoxTree::visit(int axis, Enters&& enters, Visit&& visit) const {
-	const auto along = static_cast<std::size_t>(axis);
-	std::array<std::uint32_t, 64> waiting{};  // one per level at most, and there are 32
-	std::size_t count = 0;
-	if (!nodes_.empty()) {
-		waiting[count++] = 0;
+	if (nodes_.empty() || !enters(nodes_[0].box)) {
+		return;  // mostly; so it comes before all else
 	}
+	const auto along = static_cast<std::size_t>(axis);
+	std::array<std::uint32_t, 64> waiting;  // one per level at most, and there are 32
+	waiting[0] = 0;
+	std::size_t count = 1;
 	while (count > 0) {
 		const std::uint32_t index = waiting[--count];
 		const Node& node = nodes_[index];

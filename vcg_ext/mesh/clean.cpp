@@ -556,8 +556,8 @@ void writeBack(const Neighbourhood& local, const std::vector<std::uint32_t>& rep
 	}
 	relocation.count = closeHoles(holes.data() + filled, holes.data() + holes.size(),
 	                              triangles.size() + added, moves);
-	triangles.resizeForOverwrite(triangles.size() +
-	                             added);  // the last allocation: nothing can fail from here
+	// The last allocation: nothing can fail from here.
+	triangles.resizeForOverwrite(triangles.size() + added);
 	const auto write = [&](std::size_t to, const NearFace& face) {
 		const IndexTriangle& c = face.corners;
 		triangles[to] = {representative[c[0]], representative[c[1]], representative[c[2]]};

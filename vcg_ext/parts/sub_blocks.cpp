@@ -34,6 +34,7 @@
 #include "vcg_ext/base/parallel.h"
 #include "vcg_ext/base/union_find.h"
 #include "vcg_ext/parts/line_hits.h"
+#include "vcg_ext/parts/winding_rays.h"
 
 #include <algorithm>
 
@@ -64,7 +65,10 @@ private:
 	bool isHigher(LineStart a, LineStart b) const;
 	void numberBlocks();
 	void fillBlocks();
-	Status findWindings();
+	Status walkWindings();
+	Status checkWindings();
+	Status checkWindings(OperandId operand, const std::vector<std::uint32_t>& faces);
+	int windingAt(OperandId operand, std::uint32_t side) const;
 	Status refuseWindings(OperandId operand, std::uint32_t surface) const;
 	int windingStep(OperandId operand, std::uint32_t surface) const;
 
@@ -324,7 +328,7 @@ Status Assembler::refuseWindings(OperandId operand, std::uint32_t surface) const
 }
 
 // Goes from block to block through the sub-surfaces between them, from the outside on.
-Status Assembler::findWindings() {
+Status Assembler::walkWindings() {
 	const std::size_t outside = out_.all.size();
 	std::vector<PerOperand<std::int32_t>> windings(outside + 1);
 	std::vector<std::uint8_t> known(outside + 1);
@@ -365,6 +369,55 @@ Status Assembler::findWindings() {
 	return {};
 }
 
+int Assembler::windingAt(OperandId operand, std::uint32_t side) const {
+	const std::int32_t block = out_.beside[side / 2][side % 2];
+	return block == kNoBlock ? 0 : out_.all[static_cast<std::size_t>(block)].windings[operand];
+}
+
+// Counts an operand's winding number at some faces, and compares.
+Status Assembler::checkWindings(OperandId operand, const std::vector<std::uint32_t>& faces) {
+	std::vector<WindingQuery> queries(faces.size());
+	for (std::size_t i = 0; i < faces.size(); ++i) {
+		const Triangle& t = complex_.faces[faces[i]].corners;
+		for (std::size_t corner = 0; corner < 3; ++corner) {
+			queries[i].inside[corner] = exactPoint(arrangement_, t[corner]);
+		}
+	}
+	const Status status = findWindings(arrangement_.mesh, operand, {}, arrangement_.options.threads,
+	                                   monitor_, queries);
+	const int sign = arrangement_.turned[operand] ? -1 : 1;
+	for (std::size_t i = 0; i < faces.size() && status.ok(); ++i) {
+		if (windingAt(operand, sideOf(faces[i], false)) != sign * queries[i].inFront ||
+		    windingAt(operand, sideOf(faces[i], true)) != sign * queries[i].behind) {
+			const FaceId face = complex_.faces[faces[i]].source();
+			return selfIntersecting(arrangement_, operand,
+			                        operand == arrangement_.mesh.operandOf(face)
+			                            ? std::vector<FaceId>{face}
+			                            : std::vector<FaceId>{},
+			                        arrangement_.coordinates(complex_.faces[faces[i]].corners[0]));
+		}
+	}
+	return status;
+}
+
+// Parts of an operand that pass through each other have no common edge, so the walk may not show
+// it: a count at one face of each part is a witness of its own.
+Status Assembler::checkWindings() {
+	std::vector<std::uint32_t> faces;
+	for (std::uint32_t s = 0; s < surfaces_.all.size(); ++s) {
+		if (parts_.root(s) == s) {
+			faces.push_back(surfaces_.faces[surfaces_.all[s].firstFace]);
+		}
+	}
+	Status status;
+	for (const OperandId operand : arrangement_.mesh.operands()) {
+		if (status.ok() && arrangement_.closed[operand]) {
+			status = checkWindings(operand, faces);
+		}
+	}
+	return status;
+}
+
 Status Assembler::run() {
 	uniteAtBorders();
 	Status status = uniteAtLoops();
@@ -374,7 +427,7 @@ Status Assembler::run() {
 	if (status.ok()) {
 		numberBlocks();
 		fillBlocks();
-		status = findWindings();
+		status = inOrder([this] { return walkWindings(); }, [this] { return checkWindings(); });
 	}
 	return status;
 }

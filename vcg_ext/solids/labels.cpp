@@ -7,11 +7,11 @@
 
 #include "vcg_ext/base/groups.h"
 #include "vcg_ext/base/parallel.h"
+#include "vcg_ext/parts/winding_rays.h"
 #include "vcg_ext/solids/components.h"
 #include "vcg_ext/solids/faces_to_blame.h"
 #include "vcg_ext/solids/nesting.h"
 #include "vcg_ext/solids/segment_labels.h"
-#include "vcg_ext/solids/winding_rays.h"
 
 namespace index_boolean {
 
@@ -32,18 +32,14 @@ private:
 	Status labelBySegments();
 	Status labelBesides(const SegmentSide* first, const SegmentSide* last);
 	Status labelByRays();
-	void listQueries(OperandId operand, std::vector<WindingQuery>& queries);
-	Status labelClasses(OperandId operand, std::vector<WindingQuery>& queries);
+	std::vector<VertexId> freeRoots(OperandId operand) const;
+	std::vector<FaceId> unboundedFaces(OperandId operand);
+	Status labelByRays(OperandId operand);
 	Status setLabel(NodeId node, Label label, FaceId face);
-	Status refuseOther(OperandId operand, const WindingQuery& query) const;
+	Status refuseOther(OperandId operand, VertexId vertex) const;
 	Status fill();
 
 	Label& labelOf(NodeId node) { return label_[classes_.root(node.value)]; }
-	// The node by which a query's class is known.
-	NodeId nodeOf(const WindingQuery& query) const {
-		return query.from != VertexId::none() ? LabelNodes::ofVertex(query.from)
-		                                      : nodes_.ofFace(query.inside);
-	}
 
 	Arrangement& arrangement_;
 	const MeshArrays& mesh_;
@@ -132,55 +128,72 @@ Status Labeller::labelBySegments() {
 	return status;
 }
 
-// A query for every class that has a vertex off the other operand: its root, the smallest node, is
-// then one. And for every class without a label, which has a whole face since no segment bounds it.
-void Labeller::listQueries(OperandId operand, std::vector<WindingQuery>& queries) {
+// One vertex of every class that has one off the other operand: its root, the smallest node.
+std::vector<VertexId> Labeller::freeRoots(OperandId operand) const {
+	std::vector<VertexId> roots;
 	for (std::uint32_t v = mesh_.vertexOffsets.begin(operand); v < mesh_.vertexOffsets.end(operand);
 	     ++v) {
 		if (arrangement_.labels.vertex[v] == Label::Unknown && classes_.root(v) == v) {
-			queries.emplace_back();
-			queries.back().from = {v};
+			roots.push_back({v});
 		}
 	}
-	const std::size_t fromVertices = queries.size();
+	return roots;
+}
+
+// One face of every other class without a label. It is of the class as a whole, since no segment
+// bounds that.
+std::vector<FaceId> Labeller::unboundedFaces(OperandId operand) {
+	std::vector<FaceId> faces;
 	for (const CutFace& cut : refinement_.cutFaces) {
 		const std::uint32_t root = classes_.root(refinement_.pieceRegion[cut.firstPiece].value);
 		const bool isOwn = mesh_.operandOf(cut.face) == operand;
 		if (isOwn && !nodes_.isVertex({root}) && label_[root] == Label::Unknown) {
-			label_[root] = Label::Unused;  // asked for: once is enough
-			queries.emplace_back();
-			queries.back().inside = cut.face;
+			label_[root] = Label::Unused;  // listed: once is enough
+			faces.push_back(cut.face);
 		}
 	}
-	for (std::size_t q = fromVertices; q < queries.size(); ++q) {
-		labelOf(nodeOf(queries[q])) = Label::Unknown;
+	for (const FaceId face : faces) {
+		labelOf(nodes_.ofFace(face)) = Label::Unknown;
 	}
+	return faces;
 }
 
 // The other operand intersects itself. Which of its faces are to blame is not known: all are shown.
-Status Labeller::refuseOther(OperandId operand, const WindingQuery& query) const {
+Status Labeller::refuseOther(OperandId operand, VertexId vertex) const {
 	const OperandId other = otherOf(operand);
 	std::vector<FaceId> faces;
 	for (std::uint32_t f = mesh_.faceOffsets.begin(other); f < mesh_.faceOffsets.end(other); ++f) {
 		faces.push_back({f});
 	}
 	Status status = refusalOf(arrangement_, StatusCode::SelfIntersecting, other, std::move(faces));
-	status.place =
-	    at(mesh_.points,
-	       query.from != VertexId::none() ? query.from : at(mesh_.triangles, query.inside)[0]);
+	status.place = at(mesh_.points, vertex);
 	return status;
 }
 
-// Labels the queries' classes by their winding numbers in the other operand.
-Status Labeller::labelClasses(OperandId operand, std::vector<WindingQuery>& queries) {
+// Labels classes of one operand by their winding numbers in the other.
+Status Labeller::labelByRays(OperandId operand) {
+	std::vector<WindingQuery> queries;
+	std::vector<NodeId> nodes;       // per query, one of its class
+	std::vector<VertexId> vertices;  // per query, one near it
+	for (const VertexId v : freeRoots(operand)) {
+		queries.emplace_back();
+		queries.back().from = v;
+		nodes.push_back(LabelNodes::ofVertex(v));
+		vertices.push_back(v);
+	}
+	for (const FaceId face : unboundedFaces(operand)) {
+		queries.push_back(queryInside(mesh_, face));
+		nodes.push_back(nodes_.ofFace(face));
+		vertices.push_back(at(mesh_.triangles, face)[0]);
+	}
 	Status status =
 	    findWindings(mesh_, otherOf(operand), {}, arrangement_.options.threads, monitor_, queries);
 	for (std::size_t i = 0; i < queries.size() && status.ok(); ++i) {
 		const WindingQuery& query = queries[i];
 		const bool isSolid = !query.onSurface && query.behind >= 0 && query.behind <= 1;
 		const Label label = query.behind == 1 ? Label::Inside : Label::Outside;
-		if (!isSolid || !setLabel(nodeOf(query), label, FaceId::none()).ok()) {
-			status = refuseOther(operand, query);
+		if (!isSolid || !setLabel(nodes[i], label, FaceId::none()).ok()) {
+			status = refuseOther(operand, vertices[i]);
 		}
 	}
 	return status;
@@ -189,10 +202,8 @@ Status Labeller::labelClasses(OperandId operand, std::vector<WindingQuery>& quer
 Status Labeller::labelByRays() {
 	Status status;
 	for (const OperandId operand : mesh_.operands()) {
-		std::vector<WindingQuery> queries;
 		if (status.ok()) {
-			listQueries(operand, queries);
-			status = labelClasses(operand, queries);
+			status = labelByRays(operand);
 		}
 	}
 	return status;

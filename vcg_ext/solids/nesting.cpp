@@ -11,8 +11,8 @@
 #include "vcg_ext/solids/nesting.h"
 
 #include "vcg_ext/exact/exact_sign.h"
+#include "vcg_ext/parts/winding_rays.h"
 #include "vcg_ext/solids/faces_to_blame.h"
-#include "vcg_ext/solids/winding_rays.h"
 
 namespace index_boolean {
 
@@ -86,9 +86,9 @@ Status checkNesting(const Arrangement& arrangement, OperandId operand, const Com
 	const MeshArrays& mesh = arrangement.mesh;
 	const ComponentList list = listComponents(mesh, operand, components);
 	const std::uint32_t first = mesh.faceOffsets.begin(operand);
-	std::vector<WindingQuery> queries(list.firstFace.size());
-	for (std::size_t c = 0; c < queries.size(); ++c) {
-		queries[c].inside = list.firstFace[c];
+	std::vector<WindingQuery> queries;
+	for (const FaceId face : list.firstFace) {
+		queries.push_back(queryInside(mesh, face));
 	}
 	const auto isOwn = [&](std::size_t query, FaceId face) {
 		return list.ofFace[face.value - first] == query;

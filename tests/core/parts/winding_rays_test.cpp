@@ -6,7 +6,7 @@
 // integers, at a point that is moved by fractions small enough for the grid.
 #include "core/shapes.h"
 
-#include <vcg_ext/solids/winding_rays.h>
+#include <vcg_ext/parts/winding_rays.h>
 
 #include <boost/multiprecision/cpp_int.hpp>
 #include <gtest/gtest.h>
@@ -112,7 +112,7 @@ TEST(WindingRays, facesAsTheCountInIntegers) {
 		const MeshArrays mesh = arrays(asked, counted);
 		std::vector<WindingQuery> queries(asked.triangles.size());
 		for (std::uint32_t f = 0; f < queries.size(); ++f) {
-			queries[f].inside = {f};
+			queries[f] = queryInside(mesh, {f});
 		}
 		Monitor monitor;
 		ASSERT_TRUE(findWindings(mesh, kSecond, {}, 1, monitor, queries).ok());
@@ -164,8 +164,8 @@ TEST(WindingRays, ownFacesCanBeIgnored) {
 	const Mesh nested = joined(box({0, 0, 0}, {4, 4, 4}), box({1, 1, 1}, {2, 2, 2}));
 	const MeshArrays mesh = arrays(nested, box({9, 9, 9}, {10, 10, 10}));
 	std::vector<WindingQuery> queries(2);
-	queries[0].inside = {0};
-	queries[1].inside = {12};
+	queries[0] = queryInside(mesh, {0});
+	queries[1] = queryInside(mesh, {12});
 	const auto isOwn = [](std::size_t query, FaceId face) { return face.value / 12 == query; };
 	Monitor monitor;
 	ASSERT_TRUE(findWindings(mesh, kFirst, isOwn, 1, monitor, queries).ok());

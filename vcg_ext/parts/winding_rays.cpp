@@ -3,7 +3,7 @@
 //
 // From each query a line goes upwards. What lies above it is counted: +1 for a face that is met
 // from behind, -1 for one that is met in front. Counts alone are kept.
-#include "vcg_ext/solids/winding_rays.h"
+#include "vcg_ext/parts/winding_rays.h"
 
 #include "vcg_ext/base/parallel.h"
 #include "vcg_ext/parts/axis_lines.h"
@@ -55,9 +55,8 @@ private:
 	void addLine(const WindingQuery& query, int axis);
 	void take(FaceId face, const PlaneCorners& plane, std::uint32_t query);
 	const Point& beginOf(const WindingQuery& query) const {
-		return at(mesh_.points, query.from != VertexId::none()
-		                            ? query.from
-		                            : at(mesh_.triangles, query.inside)[0]);
+		return query.from != VertexId::none() ? at(mesh_.points, query.from)
+		                                      : query.inside[0].rounded;
 	}
 
 	const MeshArrays& mesh_;
@@ -87,10 +86,11 @@ Rays::Rays(const MeshArrays& mesh, OperandId operand, const Ignored& ignored,
 	}
 }
 
-// Per query the axis along which the fewest of a few faces lie above it, so far as boxes tell; of
-// equal ones, that along which the fewest lie above all queries.
+// Per query the axis along which the fewest of a few faces lie above it, so far as boxes tell,
+// unless the axis along which the fewest lie above all queries is about as good: each axis in use
+// costs a look at each face.
 std::vector<int> Rays::cheapestAxes(OperandId operand) const {
-	constexpr std::size_t kSamples = 64;
+	constexpr std::size_t kSamples = 64, kWorthAnAxis = 4;
 	const std::size_t first = mesh_.faceOffsets.begin(operand);
 	const std::size_t count = mesh_.faceOffsets.size(operand);
 	const std::size_t step = count / kSamples + 1;
@@ -107,15 +107,12 @@ std::vector<int> Rays::cheapestAxes(OperandId operand) const {
 			}
 		}
 	}
+	const auto best = std::min_element(all.begin(), all.end()) - all.begin();
 	std::vector<int> axes;
 	for (const std::array<std::size_t, 3>& cost : above) {
-		std::array<int, 3> order{0, 1, 2};
-		const auto costOf = [&](int axis) {
-			const auto k = static_cast<std::size_t>(axis);
-			return std::make_pair(cost[k], all[k]);
-		};
-		axes.push_back(*std::min_element(order.begin(), order.end(),
-		                                 [&](int a, int b) { return costOf(a) < costOf(b); }));
+		const auto least = std::min_element(cost.begin(), cost.end());
+		const bool pays = cost[static_cast<std::size_t>(best)] >= *least + kWorthAnAxis;
+		axes.push_back(static_cast<int>(pays ? least - cost.begin() : best));
 	}
 	return axes;
 }
@@ -123,7 +120,7 @@ std::vector<int> Rays::cheapestAxes(OperandId operand) const {
 // A line from a vertex is moved away from it along the two other axes.
 void Rays::addLine(const WindingQuery& query, int axis) {
 	if (query.from == VertexId::none()) {
-		lines_.push_back({axis, cornersOf(planeOf(mesh_, query.inside))});
+		lines_.push_back({axis, query.inside});
 		return;
 	}
 	const Point& vertex = at(mesh_.points, query.from);
@@ -166,8 +163,8 @@ void Rays::shoot(FaceId face) {
 void Rays::finish() {
 	for (std::size_t q = 0; q < queries_.size(); ++q) {
 		const int above = counts_[q].above, below = above + counts_[q].at;
-		const bool upwards = queries_[q].from != VertexId::none() ||
-		                     meets(cornersOf(planeOf(mesh_, queries_[q].inside)), lines_[q]) > 0;
+		const bool upwards =
+		    queries_[q].from != VertexId::none() || meets(queries_[q].inside, lines_[q]) > 0;
 		queries_[q].inFront = upwards ? above : below;
 		queries_[q].behind = upwards ? below : above;
 		queries_[q].onSurface = counts_[q].any;
@@ -175,6 +172,12 @@ void Rays::finish() {
 }
 
 }  // namespace
+
+WindingQuery queryInside(const MeshArrays& mesh, FaceId face) {
+	WindingQuery query;
+	query.inside = cornersOf(planeOf(mesh, face));
+	return query;
+}
 
 Status findWindings(const MeshArrays& mesh, OperandId operand, const Ignored& ignored, int threads,
                     Monitor& monitor, std::vector<WindingQuery>& queries) {

@@ -1,28 +1,32 @@
 // SPDX-FileCopyrightText: 2026 The Index Boolean authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// in: vertices, or faces, as queries; out: the winding number of closed triangles around each.
-// Guarantee: exact, by lines each along whichever axis meets the fewest faces. A query on a surface
-// is known to be there, and has a winding number on either side of it.
+// in: places at vertices, or inside triangles, as queries; out: the winding number of closed
+// triangles around each. Guarantee: exact, by lines each along whichever axis meets the fewest
+// faces. A query on a surface is known to be there, and has a winding number on either side of it.
 #pragma once
 
 #include "vcg_ext/base/monitor.h"
 #include "vcg_ext/base/status.h"
+#include "vcg_ext/exact/exact_sign.h"
 #include "vcg_ext/mesh/mesh_arrays.h"
 
 #include <functional>
 
 namespace index_boolean {
 
-// Asks at an input vertex that is not on the surface, or inside a face, infinitely near to its
-// first corner.
+// Asks infinitely near to an input vertex that is not on the surface, or to a corner of a triangle,
+// inside that. Borrows what the points borrow.
 struct WindingQuery {
 	VertexId from = VertexId::none();
-	FaceId inside = FaceId::none();  // used if `from` is none
-	// out: in front of `inside` and behind it. They differ only on a surface.
+	std::array<ExactPoint, 3> inside{};  // used if `from` is none: the corner, then the others
+	// out: in front of the triangle and behind it. They differ only on a surface.
 	int inFront = 0, behind = 0;
 	bool onSurface = false;  // out: the place lies on a triangle
 };
+
+// A query inside an input face, near its first corner.
+WindingQuery queryInside(const MeshArrays& mesh, FaceId face);
 
 // Computes the winding number of one operand's faces around each query.
 // \param operand whose faces are counted
