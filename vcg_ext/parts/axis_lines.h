@@ -30,7 +30,8 @@ using PlaneCorners = std::array<const Point*, 3>;
 // Complexity: O(1), mostly three orientations.
 int meets(const std::array<ExactPoint, 3>& corners, const AxisLine& line);
 
-// The side of a plane on which a line's place lies, as orient3d; 0 if its three points do.
+// The side of a plane on which a line's place lies, as orient3d; 0 if its three points lie on it.
+// Complexity: O(1), mostly one orientation.
 int sideOfPlane(const PlaneCorners& plane, const AxisLine& line);
 
 // A face that a line meets.
@@ -39,7 +40,7 @@ struct FaceOnLine {
 	int facing;  // as meets tells
 };
 
-// Which of two faces a line meets first: -1, +1; 0 if both lie in one plane.
+// Which of two faces a line meets first: -1, +1; 0 if both lie in one plane. Complexity: O(1).
 int compareAlong(const FaceOnLine& a, const FaceOnLine& b, const AxisLine& line);
 
 // Whether lines along an axis that begin in one box may meet what lies in another.

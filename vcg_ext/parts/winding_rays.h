@@ -25,7 +25,7 @@ struct WindingQuery {
 	bool onSurface = false;  // out: the place lies on a triangle
 };
 
-// A query inside an input face, near its first corner.
+// A query inside an input face, near its first corner. Complexity: O(1).
 WindingQuery queryInside(const MeshArrays& mesh, FaceId face);
 
 // Computes the winding number of one operand's faces around each query.
