@@ -88,6 +88,9 @@ Status cleanBlock(const Options& options, Monitor& monitor, Block& block) {
 	    cleanMesh(range, options.threads, monitor, block.points, block.triangles, cleaned);
 	if (status.ok()) {
 		block.zeroAreaFacesRemoved = cleaned.zeroAreaFacesRemoved;
+		if (block.isApart) {  // it stays so where nothing is cleaned
+			block.suspect.assign(block.suspect.size(), 0);
+		}
 		for (const std::uint32_t vertex : cleaned.looked) {
 			block.suspect[vertex] = 1;
 		}

@@ -35,6 +35,7 @@ struct Block : SourcedMesh {
 	// For the stages that finish the block; none of it is kept up to date afterwards.
 	std::size_t firstPiece = 0;         // faces from here on lie on touched faces
 	bool anySuspectOffCurve = false;    // else faces before firstPiece have no suspect corner
+	bool isApart = false;               // the block has been pulled apart at all suspect vertices
 	std::vector<std::uint8_t> suspect;  // per point: the block may meet itself there, or a cut that
 	                                    // parts nothing may end there
 };

@@ -512,8 +512,11 @@ Status copyNonManifold(const Arrangement& arrangement, Monitor& monitor, Block& 
 		return sortAround(arrangement, block.vertexSource[low], block.vertexSource[high],
 		                  halfPlanes, places);
 	};
-	return separate(block, block.anySuspectOffCurve ? 0 : block.firstPiece, sortFan, monitor,
-	                [](Separator&) {});
+	bool isApart = true;
+	const Status status = separate(block, block.anySuspectOffCurve ? 0 : block.firstPiece, sortFan,
+	                               monitor, [&isApart](Separator&) { isApart = false; });
+	block.isApart = status.ok() && isApart;
+	return status;
 }
 
 Status copyNonManifoldAsStored(OutputScalar scalar, Monitor& monitor, Block& block) {

@@ -16,7 +16,7 @@ namespace index_boolean {
 
 // Pulls a block apart at its suspect vertices, before its coordinates are trusted: faces around an
 // edge are ordered by the planes of the input faces that they lie in. No midpoints: edges that
-// would need them stay as they are.
+// would need them stay as they are; if there are none, block.isApart is set.
 // \param block as collected, or with fragments merged in their faces; changed in place
 // \return Ok or Cancelled
 // Complexity: O(n + k log k) for k faces at suspect vertices; O(1) if there are none.
