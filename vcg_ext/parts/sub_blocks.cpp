@@ -385,7 +385,7 @@ Status Assembler::checkWindings(OperandId operand, const std::vector<std::uint32
 	}
 	const Status status = findWindings(arrangement_.mesh, operand, {}, arrangement_.options.threads,
 	                                   monitor_, queries);
-	const int sign = arrangement_.turned[operand] ? -1 : 1;
+	const int sign = arrangement_.insideOut[operand] ? -1 : 1;
 	for (std::size_t i = 0; i < faces.size() && status.ok(); ++i) {
 		if (windingAt(operand, sideOf(faces[i], false)) != sign * queries[i].inFront ||
 		    windingAt(operand, sideOf(faces[i], true)) != sign * queries[i].behind) {

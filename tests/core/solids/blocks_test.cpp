@@ -19,7 +19,7 @@ constexpr std::array<Operation, 5> kOperations{
 
 void expectLaws(const BooleanRun& r) {
 	ASSERT_TRUE(r.status.ok()) << statusName(r.status.code) << ": " << describe(r.status);
-	const double a = r.arrangement.volume[0], b = r.arrangement.volume[1];
+	const double a = r.arrangement.volume[kFirst], b = r.arrangement.volume[kSecond];
 	const double scale = 1e-13 * (a + b);
 	const double both = r.volume(Operation::Intersection);
 	EXPECT_NEAR(r.volume(Operation::Union) + both, a + b, scale);
@@ -112,8 +112,8 @@ TEST(Blocks, operandsWithCavitiesAndSeveralComponentsAreRight) {
 	const Mesh two = joined(box({1, 1, 1}, {2, 2, 2.25}), box({3, 1.25, 1.5}, {6, 2.25, 2.5}));
 	const BooleanRun r = run(hollow, two);
 	expectLaws(r);
-	EXPECT_EQ(r.arrangement.labels.components[0], 2u);
-	EXPECT_EQ(r.arrangement.labels.components[1], 2u);
+	EXPECT_EQ(r.arrangement.labels.components[kFirst], 2u);
+	EXPECT_EQ(r.arrangement.labels.components[kSecond], 2u);
 	// The small box floats in the cavity; the bar sticks through the wall of 0.5.
 	EXPECT_DOUBLE_EQ(r.volume(Operation::Intersection), 0.5 * 1 * 1);
 }
