@@ -89,12 +89,11 @@ TEST(CurvesRun, aHostThatAnswersFalseCancelsAtEveryCall) {
 // The second box inside out, and one face of the first there twice.
 MeshArrays boxesWithFindings() {
 	MeshArrays boxes = overlappingBoxes();
-	for (std::size_t f = boxes.faceBegin[1]; f < boxes.faceBegin[2]; ++f) {
+	for (std::size_t f = boxes.faceOffsets.begin(kSecond); f < boxes.faceOffsets.total(); ++f) {
 		std::swap(boxes.triangles[f][1], boxes.triangles[f][2]);
 	}
 	boxes.triangles.insert(boxes.triangles.begin(), Triangle(boxes.triangles.front()));
-	++boxes.faceBegin[1];
-	++boxes.faceBegin[2];
+	boxes.faceOffsets = {boxes.faceOffsets.end(kFirst) + 1, boxes.faceOffsets.total() + 1};
 	return boxes;
 }
 

@@ -71,8 +71,8 @@ inline void appendBox(const Point& low, const Point& high, OperandId operand, Me
 // Boxes of volume 8 and 3.375 that share a box of volume 0.65625, in general position.
 inline MeshArrays overlappingBoxes() {
 	MeshArrays arrays;
-	appendBox({0, 0, 0}, {2, 2, 2}, 0, arrays);
-	appendBox({1, 1.125, 1.25}, {2.5, 2.625, 2.75}, 1, arrays);
+	appendBox({0, 0, 0}, {2, 2, 2}, kFirst, arrays);
+	appendBox({1, 1.125, 1.25}, {2.5, 2.625, 2.75}, kSecond, arrays);
 	return arrays;
 }
 
