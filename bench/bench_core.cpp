@@ -286,7 +286,7 @@ Status readParts(const Arrangement& arrangement, Monitor& monitor, StopWatch& st
 // copies of vertices.
 Status findAttributes(const Operands& operands, const Arrangement& arrangement, Monitor& monitor,
                       std::vector<Block>& blocks) {
-	const auto given = [&operands](GivenFace face) {
+	const GivenTriangles given = [&operands](GivenFace face) {
 		const std::size_t before = face.operand == kFirst ? 0 : operands[0].points.size();
 		const auto& triangle = operands[face.operand.value].triangles[face.index];
 		Triangle corners;
@@ -302,7 +302,7 @@ Status findAttributes(const Operands& operands, const Arrangement& arrangement, 
 	Status status = operandSeams(arrangement, given, same, monitor, seams);
 	for (std::size_t i = 0; i < blocks.size() && status.ok(); ++i) {
 		AttributeSources sources;
-		status = attributeSources(arrangement, given, seams, needs, monitor, blocks[i], sources);
+		status = attributeSources(arrangement, {given, seams, needs}, monitor, blocks[i], sources);
 	}
 	return status;
 }

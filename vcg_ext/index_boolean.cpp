@@ -261,12 +261,11 @@ Status operandSeams(const Arrangement& arrangement, const GivenTriangles& given,
 	return guarded([&] { return findSeams(arrangement, given, same, monitor, out); });
 }
 
-Status attributeSources(const Arrangement& arrangement, const GivenTriangles& given,
-                        const Seams& seams, AttributeNeeds needs, Monitor& monitor,
-                        SourcedMesh& mesh, AttributeSources& out) {
+Status attributeSources(const Arrangement& arrangement, const AttributeInput& input,
+                        Monitor& monitor, SourcedMesh& mesh, AttributeSources& out) {
 	return guarded([&] {
 		monitor.beginStage("attributes", 0, 1);
-		return findAttributeSources(arrangement, given, seams, needs, monitor, mesh, out);
+		return findAttributeSources(arrangement, input, monitor, mesh, out);
 	});
 }
 

@@ -84,9 +84,8 @@ Status operandSeams(const Arrangement& arrangement, const GivenTriangles& given,
 
 // Of which input elements a block's or split mesh's elements take their attributes; see
 // attributes.h. \return Ok, Cancelled, OutOfMemory, InternalError. Complexity: O(n), in parallel.
-Status attributeSources(const Arrangement& arrangement, const GivenTriangles& given,
-                        const Seams& seams, AttributeNeeds needs, Monitor& monitor,
-                        SourcedMesh& mesh, AttributeSources& out);
+Status attributeSources(const Arrangement& arrangement, const AttributeInput& input,
+                        Monitor& monitor, SourcedMesh& mesh, AttributeSources& out);
 
 // What is known of delivered blocks by measuring them.
 struct Audit {

@@ -30,9 +30,9 @@ Status findSources(const Arrangement& arrangement, const AttributeRequest& reque
 	Seams seams;
 	Status status = operandSeams(arrangement, request.given, request.same, monitor, seams);
 	sources.resize(meshes.size());
+	const AttributeInput input{request.given, seams, request.needs};
 	for (std::size_t i = 0; i < meshes.size() && status.ok(); ++i) {
-		status = attributeSources(arrangement, request.given, seams, request.needs, monitor,
-		                          meshes[i], sources[i]);
+		status = attributeSources(arrangement, input, monitor, meshes[i], sources[i]);
 	}
 	return status;
 }

@@ -29,7 +29,7 @@ struct BoxFrame {
 	}
 };
 
-// The frame about a box that is not empty. O(1).
+// The frame about a box that is not empty. Complexity: O(1).
 BoxFrame makeBoxFrame(const BoundingBox& box);
 
 // The box of the corners of faces: a stray vertex, which no face uses, does not count.

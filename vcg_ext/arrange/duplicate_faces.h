@@ -24,6 +24,7 @@ Status removeDuplicateFaces(Arrangement& arrangement, Monitor& monitor);
 // Drops, within each operand, all but one of the faces on the same three vertices, whatever way
 // they are turned: what is left covers the same points. The one that is kept depends on coordinates
 // only. Counted as taken once. \return Ok, Cancelled, OutOfMemory
+// Complexity: as above.
 Status takeDuplicateFacesOnce(Arrangement& arrangement, Monitor& monitor);
 
 }  // namespace index_boolean

@@ -43,7 +43,8 @@ struct FaceLines {
 	ConstRange<FaceDiagonal> diagonals;
 };
 
-// The segments on a face, in order. Borrows the curve. O(log s) for s segments on all faces.
+// The segments on a face, in order. Borrows the curve.
+// Complexity: O(log s) for s segments on all faces.
 ConstRange<FaceSegment> segmentsOn(const Curve& curve, FaceId face);
 
 // Finds the lines of one face after another. Any thread may ask.

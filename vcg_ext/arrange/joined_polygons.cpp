@@ -15,15 +15,13 @@ namespace index_boolean {
 
 namespace {
 
-// The faux edges of one operand, each once.
-struct FauxEdges {
-	std::vector<std::array<HalfEdge, 2>> pairs;
-	std::vector<std::uint8_t> isFlat;  // per pair: both faces lie in one plane
-};
+// Whether a half-edge, in a list sorted by edge, is the first of two that join their faces.
+enum class Join : std::uint8_t { None, Bent, Flat };
 
-// An edge with more than two faces has ends at which the operand is no manifold, and so has one at
-// a border: between such vertices, all half-edges are looked at.
-FauxEdges pairFauxEdges(const Arrangement& arrangement, OperandId operand) {
+// The half-edges of one operand that may join faces. An edge with more than two faces has ends at
+// which the operand is no manifold, and so has one at a border: between such vertices, all
+// half-edges are looked at.
+std::vector<HalfEdge> listHalfEdges(const Arrangement& arrangement, OperandId operand) {
 	const MeshArrays& mesh = arrangement.mesh;
 	const std::vector<VertexId>& nonManifold = arrangement.nonManifold;
 	const auto isOdd = [&](VertexId v) {
@@ -39,14 +37,40 @@ FauxEdges pairFauxEdges(const Arrangement& arrangement, OperandId operand) {
 			}
 		}
 	}
-	FauxEdges found;
-	forEachManifoldEdge(halfEdges, [&](const HalfEdge& a, const HalfEdge& b) {
-		if (isFaux(mesh.faux[a.face], a.corner) && isFaux(mesh.faux[b.face], b.corner)) {
-			found.pairs.push_back({a, b});
-			found.isFlat.push_back(commonFront(mesh, {a.face}, {b.face}) > 0 ? 1 : 0);
+	return halfEdges;
+}
+
+// What the i-th of the sorted half-edges is.
+Join joinAt(const MeshArrays& mesh, const std::vector<HalfEdge>& sorted, std::size_t i) {
+	const bool isFirst = i == 0 || !sorted[i - 1].sameEdge(sorted[i]);
+	const bool hasMate = i + 1 < sorted.size() && sorted[i + 1].sameEdge(sorted[i]);
+	if (!isFirst || !hasMate || (i + 2 < sorted.size() && sorted[i + 2].sameEdge(sorted[i]))) {
+		return Join::None;
+	}
+	const HalfEdge &a = sorted[i], &b = sorted[i + 1];
+	const bool joins = a.forward != b.forward && isFaux(mesh.faux[a.face], a.corner) &&
+	                   isFaux(mesh.faux[b.face], b.corner);
+	if (!joins) {
+		return Join::None;
+	}
+	return commonFront(mesh, {a.face}, {b.face}) > 0 ? Join::Flat : Join::Bent;
+}
+
+// The axis along which all corners of two triangles have one coordinate, or -1.
+int commonLevel(const MeshArrays& mesh, const Triangle& s, const Triangle& t) {
+	for (int axis = 0; axis < 3; ++axis) {
+		const auto k = static_cast<std::size_t>(axis);
+		const double level = at(mesh.points, s[0])[k];
+		const auto isLevel = [&](VertexId v) { return at(mesh.points, v)[k] == level; };
+		if (std::all_of(s.begin(), s.end(), isLevel) && std::all_of(t.begin(), t.end(), isLevel)) {
+			return axis;
 		}
-	});
-	return found;
+	}
+	return -1;
+}
+
+int turnOf(const MeshArrays& mesh, const Triangle& t, int axis) {
+	return orient2d(at(mesh.points, t[0]), at(mesh.points, t[1]), at(mesh.points, t[2]), axis);
 }
 
 std::vector<FaceId> roots(UnionFind& sets) {
@@ -63,6 +87,9 @@ std::vector<FaceId> roots(UnionFind& sets) {
 int commonFront(const MeshArrays& mesh, FaceId a, FaceId b) {
 	const Triangle& s = at(mesh.triangles, a);
 	const Triangle& t = at(mesh.triangles, b);
+	if (const int level = commonLevel(mesh, s, t); level >= 0) {
+		return turnOf(mesh, s, level) * turnOf(mesh, t, level);
+	}
 	for (const VertexId v : t) {
 		if (orient3d(at(mesh.points, s[0]), at(mesh.points, s[1]), at(mesh.points, s[2]),
 		             at(mesh.points, v)) != 0) {
@@ -71,39 +98,48 @@ int commonFront(const MeshArrays& mesh, FaceId a, FaceId b) {
 	}
 	int front = 0;
 	const int axis = projectionAxis(s, mesh.points, front);
-	return front *
-	       orient2d(at(mesh.points, t[0]), at(mesh.points, t[1]), at(mesh.points, t[2]), axis);
+	return front * turnOf(mesh, t, axis);
 }
 
 Status joinPolygons(Arrangement& arrangement, Monitor& monitor) {
+	constexpr std::size_t kGrain = 1 << 12;
 	MeshArrays& mesh = arrangement.mesh;
 	if (mesh.faux.empty()) {
 		return {};
 	}
-	PerOperand<FauxEdges> found(mesh.operands().count());
-	const int halves = threadsForHalves(mesh.triangles.size(), arrangement.options.threads);
-	const Status status =
-	    parallelFor(found.size(), 1, halves, monitor, [&](std::size_t begin, std::size_t end) {
-		    for (std::size_t k = begin; k < end; ++k) {
-			    const auto operand = makeId<OperandTag>(k);
-			    found[operand] = pairFauxEdges(arrangement, operand);
-		    }
-	    });
+	const int threads = arrangement.options.threads;
 	UnionFind polygons(mesh.triangles.size()), flat(mesh.triangles.size());
-	mesh.faux.assign(mesh.triangles.size(), 0);
+	std::vector<std::uint8_t> joining(mesh.triangles.size(), 0);
 	Polygons& out = arrangement.polygons;
-	for (const FauxEdges& edges : found) {
-		for (std::size_t i = 0; i < edges.pairs.size(); ++i) {
-			const auto& [a, b] = edges.pairs[i];
+	const Status status = forEachOperand(mesh.operands(), [&](OperandId operand) {
+		std::vector<HalfEdge> halfEdges = listHalfEdges(arrangement, operand);
+		std::vector<Join> joins(halfEdges.size(), Join::None);
+		const Status found =
+		    inOrder([&] { return sortByEdge(halfEdges, mesh.points.size(), threads, monitor); },
+		            [&] {
+			            return parallelFor(halfEdges.size(), kGrain, threads, monitor,
+			                               [&](std::size_t begin, std::size_t end) {
+				                               for (std::size_t i = begin; i < end; ++i) {
+					                               joins[i] = joinAt(mesh, halfEdges, i);
+				                               }
+			                               });
+		            });
+		for (std::size_t i = 0; i < joins.size() && found.ok(); ++i) {
+			if (joins[i] == Join::None) {
+				continue;
+			}
+			const HalfEdge &a = halfEdges[i], &b = halfEdges[i + 1];
 			polygons.unite(a.face, b.face);
-			markFaux(mesh.faux[a.face], a.corner);
-			markFaux(mesh.faux[b.face], b.corner);
-			if (edges.isFlat[i] != 0) {
+			markFaux(joining[a.face], a.corner);
+			markFaux(joining[b.face], b.corner);
+			if (joins[i] == Join::Flat) {
 				flat.unite(a.face, b.face);
 				out.flatEdges.push_back({VertexId{a.low}, VertexId{a.high}});
 			}
 		}
-	}
+		return found;
+	});
+	mesh.faux = std::move(joining);
 	std::sort(out.flatEdges.begin(), out.flatEdges.end());
 	out.polygon = roots(polygons);
 	out.flat = roots(flat);

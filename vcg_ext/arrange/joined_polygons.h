@@ -15,6 +15,7 @@ namespace index_boolean {
 
 // Whether two input faces lie in one plane: +1 with their fronts to the same side, -1 with fronts
 // to opposite sides; else 0. Exact. \pre both have area
+// Complexity: O(1); a few comparisons where both lie in one plane across an axis.
 int commonFront(const MeshArrays& mesh, FaceId a, FaceId b);
 
 // Joins the faces of each operand to polygons, across edges that both their faces call faux; an
@@ -22,7 +23,7 @@ int commonFront(const MeshArrays& mesh, FaceId a, FaceId b);
 // \pre arrangement.nonManifold is known
 // \param arrangement its polygons are filled; its mesh.faux keeps those edges only that join
 // \return Ok, Cancelled or OutOfMemory
-// Complexity: O(n + k log k) for n faces and k faux edges, each operand on a thread.
+// Complexity: O(n + k log k) for n faces and k faux edges, in parallel.
 Status joinPolygons(Arrangement& arrangement, Monitor& monitor);
 
 }  // namespace index_boolean

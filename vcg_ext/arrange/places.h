@@ -11,7 +11,7 @@
 namespace index_boolean {
 
 // The point that a name stands for, by its simplices, not rounded unless it is a vertex; borrows
-// the mesh's points. O(1).
+// the mesh's points. Complexity: O(1).
 ExactPoint exactPointOf(const MeshArrays& mesh, const PointName& name);
 
 // The simplices that define a vertex or a curve point; borrows the arrangement's points.

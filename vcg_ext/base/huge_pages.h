@@ -22,10 +22,10 @@ namespace index_boolean {
 
 // Memory for an array. Its first touch costs as much as writing it ten times in pages of 4 KiB, so
 // that large arrays begin at a huge page's border and are made of huge pages. Throws
-// std::bad_alloc. O(1), or O(blocks kept). From any thread.
+// std::bad_alloc. From any thread. Complexity: O(1), or O(blocks kept).
 void* allocatePages(std::size_t bytes);
 
-// Gives it back. \param bytes as asked for
+// Gives it back. \param bytes as asked for. Complexity: as above.
 void releasePages(void* memory, std::size_t bytes) noexcept;
 
 // While one lives, memory that large arrays give back, in whatever thread, is kept for those to
@@ -39,10 +39,12 @@ public:
 	PageReuse& operator=(const PageReuse&) = delete;
 };
 
-// Asks for huge pages in memory of another allocator that has not been touched yet. A hint. O(1).
+// Asks for huge pages in memory of another allocator that has not been touched yet. A hint.
+// Complexity: O(1).
 void adviseHugePages(void* memory, std::size_t bytes);
 
 // How many bytes to ask such an allocator for so that the system can give whole huge pages.
+// Complexity: O(1).
 std::size_t hugePageCapacity(std::size_t bytes);
 
 // Makes room for n items in an array with another allocator. Throws std::bad_alloc.

@@ -45,11 +45,13 @@ constexpr int threadsForHalves(std::size_t work, int threads) {
 }
 
 // Calls run(context, chunk) once for each chunk in [0, chunks); see parallelForChunks.
+// \return Ok, Cancelled, OutOfMemory, InternalError. Complexity: that of the chunks.
 Status runChunks(std::size_t chunks, int threads, Monitor& monitor, void* context,
                  void (*run)(void* context, std::size_t chunk));
 
 // For long work inside a chunk: lets the monitor call back if this is the thread that started the
-// run. \return true if the work should stop (the run is cancelled). Any thread; O(1).
+// run. \return true if the work should stop (the run is cancelled). From any thread.
+// Complexity: O(1).
 bool pollCancelled(Monitor& monitor);
 
 // Calls body(chunk, begin, end) once for each of the chunkCount(n, grain) chunks, in any order and

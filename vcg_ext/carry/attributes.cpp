@@ -204,13 +204,15 @@ Status SourceFinder::run(bool corners) {
 
 }  // namespace
 
-Status findAttributeSources(const Arrangement& arrangement, const GivenTriangles& given,
-                            const Seams& seams, AttributeNeeds needs, Monitor& monitor,
-                            SourcedMesh& mesh, AttributeSources& out) {
+Status findAttributeSources(const Arrangement& arrangement, const AttributeInput& input,
+                            Monitor& monitor, SourcedMesh& mesh, AttributeSources& out) {
 	out = AttributeSources{};
-	const FaceLocator locator(arrangement, given, mesh);
+	const FaceLocator locator(arrangement, input.triangles, mesh);
+	const AttributeNeeds needs = input.needs;
 	return inOrder(
-	    [&] { return partCorners(arrangement, locator, seams, needs.partCurve, monitor, mesh); },
+	    [&] {
+		    return partCorners(arrangement, locator, input.seams, needs.partCurve, monitor, mesh);
+	    },
 	    [&] { return SourceFinder(arrangement, locator, monitor, mesh, out).run(needs.corners); });
 }
 

@@ -44,6 +44,13 @@ struct AttributeNeeds {
 	bool partCurve = false;  // a vertex that faces of both operands have becomes two
 };
 
+// What is known of the attributes as given. Borrows the first two.
+struct AttributeInput {
+	const GivenTriangles& triangles;
+	const Seams& seams;
+	AttributeNeeds needs;
+};
+
 // Finds the sources. A vertex of both operands takes its attributes of the first. Along seams, and
 // at new vertices on them, each side gets a vertex of its own: the mesh is then closed once equal
 // coordinates are welded.
@@ -51,8 +58,7 @@ struct AttributeNeeds {
 // \param out   replaced; only meaningful if the status is Ok
 // \return Ok, Cancelled, OutOfMemory, or InternalError: a vertex of the mesh has no face
 // Complexity: O(n) for n faces, O(k log k) for k corners that are none of their given face.
-Status findAttributeSources(const Arrangement& arrangement, const GivenTriangles& given,
-                            const Seams& seams, AttributeNeeds needs, Monitor& monitor,
-                            SourcedMesh& mesh, AttributeSources& out);
+Status findAttributeSources(const Arrangement& arrangement, const AttributeInput& input,
+                            Monitor& monitor, SourcedMesh& mesh, AttributeSources& out);
 
 }  // namespace index_boolean

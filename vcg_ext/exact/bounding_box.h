@@ -41,7 +41,7 @@ constexpr BoundingBox emptyBox() {
 	return {{kMax, kMax, kMax}, {-kMax, -kMax, -kMax}};
 }
 
-// The box of `count` boxes, which may be empty. O(count).
+// The box of `count` boxes, which may be empty. Complexity: O(count).
 BoundingBox joinedBox(const BoundingBox* boxes, std::size_t count);
 
 // The box of `count` points; empty if there are none.

@@ -23,6 +23,7 @@ enum class Operation : std::uint8_t {
 constexpr int kOperationCount = 5;
 
 // "union", "intersection", "first_minus_second", "second_minus_first", "symmetric_difference".
+// Never null, never freed. Complexity: O(1).
 const char* operationName(Operation operation);
 
 // The boundary of a solid. A vertexSource is none() for the middle of an edge along which the block

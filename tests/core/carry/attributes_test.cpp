@@ -57,7 +57,7 @@ Sources sourcesOf(const Mesh& a, const Mesh& b, Operation operation, bool same =
 	    s.blocks.arrangement, given, [same](VertexId, VertexId, bool) { return same; }, monitor,
 	    seams);
 	EXPECT_TRUE(s.status.ok());
-	s.status = attributeSources(s.blocks.arrangement, given, seams, {true, partCurve}, monitor,
+	s.status = attributeSources(s.blocks.arrangement, {given, seams, {true, partCurve}}, monitor,
 	                            s.block, s.sources);
 	return s;
 }
