@@ -47,6 +47,7 @@ private:
 	bool isStopped() const { return points_.size() > kMany && pollCancelled(monitor_); }
 
 	bool findPoints(FaceId face);
+	bool triangulate();
 	bool findPieces(const EulerCounts& counts);
 
 	static constexpr std::size_t kMany = 4096;
@@ -78,15 +79,25 @@ bool FaceCutter::findPoints(FaceId face) {
 	return points_.collect(lines_) && !isStopped() && points_.rank(axis) && !isStopped();
 }
 
+// A face that is met at its corners alone is its one piece, as the sweep would begin it.
+bool FaceCutter::triangulate() {
+	const auto pointCount = static_cast<std::uint32_t>(points_.size());
+	if (pointCount == 3) {
+		const bool isLeftTurn = points_(0, 1, 2) > 0;
+		pieces_.triangles.assign(1, {isLeftTurn ? 1u : 0u, 2u, isLeftTurn ? 0u : 1u});
+		return true;
+	}
+	edges_.required(lines_, points_, required_);
+	return sweep_.triangulate(pointCount, required_, points_, monitor_, pieces_.triangles);
+}
+
 // The edges between the points, and pieces that contain them. False if the lines cannot all be part
 // of one triangulation.
 bool FaceCutter::findPieces(const EulerCounts& counts) {
 	if (!edges_.fix(arrangement_, lines_, points_, counts.edges)) {
 		return false;
 	}
-	edges_.required(lines_, points_, required_);
-	const auto pointCount = static_cast<std::uint32_t>(points_.size());
-	if (!sweep_.triangulate(pointCount, required_, points_, monitor_, pieces_.triangles)) {
+	if (!triangulate()) {
 		return false;
 	}
 	if (seenFromBehind_) {

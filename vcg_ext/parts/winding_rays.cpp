@@ -16,7 +16,7 @@ namespace index_boolean {
 
 namespace {
 
-constexpr std::size_t kGrain = 1 << 14;
+constexpr std::size_t kGrain = 1 << 12;
 
 using Ignored = std::function<bool(std::size_t query, FaceId face)>;
 
@@ -42,8 +42,11 @@ BoundingBox boxOf(const PlaneCorners& p) { return boxOfThree(*p[0], *p[1], *p[2]
 // All queries with the lines upwards from them.
 class Rays {
 public:
-	Rays(const MeshArrays& mesh, OperandId operand, const Ignored& ignored,
-	     std::vector<WindingQuery>& queries);
+	Rays(const MeshArrays& mesh, const Ignored& ignored, std::vector<WindingQuery>& queries)
+	    : mesh_(mesh), ignored_(ignored), queries_(queries), counts_(queries.size()) {}
+
+	// Chooses an axis for each query, and draws its line.
+	Status draw(OperandId operand, int threads, Monitor& monitor);
 
 	// Adds what one face does to any query.
 	void shoot(FaceId face);
@@ -51,7 +54,9 @@ public:
 	void finish();
 
 private:
-	std::vector<int> cheapestAxes(OperandId operand) const;
+	std::vector<BoundingBox> sampleOf(OperandId operand) const;
+	Status chooseAxes(OperandId operand, int threads, Monitor& monitor);
+	void drawLines();
 	void addLine(const WindingQuery& query, int axis);
 	void take(FaceId face, const PlaneCorners& plane, std::uint32_t query);
 	const Point& beginOf(const WindingQuery& query) const {
@@ -62,6 +67,7 @@ private:
 	const MeshArrays& mesh_;
 	const Ignored& ignored_;
 	std::vector<WindingQuery>& queries_;
+	std::vector<int> axes_;        // per query
 	Points moved_;                 // where vertices' lines are moved to
 	std::vector<AxisLine> lines_;  // per query
 	std::array<LineField, 3> fields_;
@@ -69,52 +75,73 @@ private:
 	std::vector<Count> counts_;
 };
 
-Rays::Rays(const MeshArrays& mesh, OperandId operand, const Ignored& ignored,
-           std::vector<WindingQuery>& queries)
-    : mesh_(mesh), ignored_(ignored), queries_(queries), counts_(queries.size()) {
-	const std::vector<int> axes = cheapestAxes(operand);
+void Rays::drawLines() {
 	std::array<Points, 3> begins;
-	moved_.reserve(2 * queries.size());  // the lines borrow them
-	for (std::size_t q = 0; q < queries.size(); ++q) {
-		const auto axis = static_cast<std::size_t>(axes[q]);
-		addLine(queries[q], axes[q]);
+	moved_.reserve(2 * queries_.size());  // the lines borrow them
+	lines_.reserve(queries_.size());
+	for (std::size_t q = 0; q < queries_.size(); ++q) {
+		const auto axis = static_cast<std::size_t>(axes_[q]);
+		addLine(queries_[q], axes_[q]);
 		queriesOf_[axis].push_back(static_cast<std::uint32_t>(q));
-		begins[axis].push_back(beginOf(queries[q]));
+		begins[axis].push_back(beginOf(queries_[q]));
 	}
 	for (std::size_t axis = 0; axis < 3; ++axis) {
 		fields_[axis] = LineField(static_cast<int>(axis), begins[axis]);
 	}
 }
 
+// The boxes of a few of an operand's faces.
+std::vector<BoundingBox> Rays::sampleOf(OperandId operand) const {
+	constexpr std::size_t kSamples = 64;
+	const std::size_t first = mesh_.faceOffsets.begin(operand);
+	const std::size_t count = mesh_.faceOffsets.size(operand);
+	std::vector<BoundingBox> boxes;
+	for (std::size_t f = 0; f < count; f += count / kSamples + 1) {
+		boxes.push_back(boxOf(planeOf(mesh_, makeId<FaceTag>(first + f))));
+	}
+	return boxes;
+}
+
 // Per query the axis along which the fewest of a few faces lie above it, so far as boxes tell,
 // unless the axis along which the fewest lie above all queries is about as good: each axis in use
 // costs a look at each face.
-std::vector<int> Rays::cheapestAxes(OperandId operand) const {
-	constexpr std::size_t kSamples = 64, kWorthAnAxis = 4;
-	const std::size_t first = mesh_.faceOffsets.begin(operand);
-	const std::size_t count = mesh_.faceOffsets.size(operand);
-	const std::size_t step = count / kSamples + 1;
-	std::vector<std::array<std::size_t, 3>> above(queries_.size());
-	std::array<std::size_t, 3> all{};
-	for (std::size_t f = first; f < first + count; f += step) {
-		const BoundingBox box = boxOf(planeOf(mesh_, makeId<FaceTag>(f)));
-		for (std::size_t q = 0; q < queries_.size(); ++q) {
+Status Rays::chooseAxes(OperandId operand, int threads, Monitor& monitor) {
+	constexpr std::size_t kWorthAnAxis = 4, kQueries = 256;
+	using PerAxis = std::array<std::size_t, 3>;
+	const std::vector<BoundingBox> sample = sampleOf(operand);
+	std::vector<PerAxis> above(queries_.size());
+	const auto look = [&](std::size_t first, std::size_t last) {
+		for (std::size_t q = first; q < last; ++q) {
 			const BoundingBox begin{beginOf(queries_[q]), beginOf(queries_[q])};
-			for (std::size_t axis = 0; axis < 3; ++axis) {
-				const std::size_t hit = mayMeet(static_cast<int>(axis), begin, box) ? 1 : 0;
-				above[q][axis] += hit;
-				all[axis] += hit;
+			for (const BoundingBox& box : sample) {
+				for (std::size_t axis = 0; axis < 3; ++axis) {
+					above[q][axis] += mayMeet(static_cast<int>(axis), begin, box) ? 1 : 0;
+				}
 			}
+		}
+	};
+	const Status status = parallelFor(queries_.size(), kQueries, threads, monitor, look);
+	PerAxis all{};
+	for (const PerAxis& cost : above) {
+		for (std::size_t axis = 0; axis < 3; ++axis) {
+			all[axis] += cost[axis];
 		}
 	}
 	const auto best = std::min_element(all.begin(), all.end()) - all.begin();
-	std::vector<int> axes;
-	for (const std::array<std::size_t, 3>& cost : above) {
+	for (const PerAxis& cost : above) {
 		const auto least = std::min_element(cost.begin(), cost.end());
 		const bool pays = cost[static_cast<std::size_t>(best)] >= *least + kWorthAnAxis;
-		axes.push_back(static_cast<int>(pays ? least - cost.begin() : best));
+		axes_.push_back(static_cast<int>(pays ? least - cost.begin() : best));
 	}
-	return axes;
+	return status;
+}
+
+Status Rays::draw(OperandId operand, int threads, Monitor& monitor) {
+	const Status status = chooseAxes(operand, threads, monitor);
+	if (status.ok()) {
+		drawLines();
+	}
+	return status;
 }
 
 // A line from a vertex is moved away from it along the two other axes.
@@ -184,17 +211,22 @@ Status findWindings(const MeshArrays& mesh, OperandId operand, const Ignored& ig
 	if (queries.empty()) {
 		return {};
 	}
-	Rays rays(mesh, operand, ignored, queries);
+	Rays rays(mesh, ignored, queries);
 	const std::size_t first = mesh.faceOffsets.begin(operand);
 	const auto shoot = [&rays, first](std::size_t begin, std::size_t end) {
 		for (std::size_t f = first + begin; f < first + end; ++f) {
 			rays.shoot(makeId<FaceTag>(f));
 		}
 	};
-	const Status status =
-	    parallelFor(mesh.faceOffsets.size(operand), kGrain, threads, monitor, shoot);
-	rays.finish();
-	return status;
+	return inOrder([&] { return rays.draw(operand, threads, monitor); },
+	               [&] {
+		               return parallelFor(mesh.faceOffsets.size(operand), kGrain, threads, monitor,
+		                                  shoot);
+	               },
+	               [&] {
+		               rays.finish();
+		               return Status{};
+	               });
 }
 
 }  // namespace index_boolean

@@ -87,6 +87,7 @@ Status checkNesting(const Arrangement& arrangement, OperandId operand, const Com
 	const ComponentList list = listComponents(mesh, operand, components);
 	const std::uint32_t first = mesh.faceOffsets.begin(operand);
 	std::vector<WindingQuery> queries;
+	queries.reserve(list.firstFace.size());
 	for (const FaceId face : list.firstFace) {
 		queries.push_back(queryInside(mesh, face));
 	}
