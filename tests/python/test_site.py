@@ -84,7 +84,7 @@ def test_nothingIsFetchedFromElsewhere(site):
 )
 def test_brokenLinkEndsTheBuild(tmp_path, link):
     checkout = tmp_path / "checkout"
-    folders = ("docs", "tools", "bench", "sample_meshes")
+    folders = ("docs", "tools", "bench", "sample_meshes", "vcg_ext", "filter_indexboolean")
     for folder in folders:
         shutil.copytree(ROOT / folder, checkout / folder, ignore=shutil.ignore_patterns("*.ply"))
     files = ("LICENSE", "CITATION.cff", "CMakeLists.txt")

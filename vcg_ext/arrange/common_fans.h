@@ -25,8 +25,6 @@ struct CommonFan {
 // All wide fans. Borrows the arrays.
 class CommonFans {
 public:
-	static constexpr std::uint32_t kNone = 0xffffffff;
-
 	// \param boxes the faces that count; all others are left aside
 	// Complexity: O(m) for m boxes, and O(n) for n vertices of the first operand if any is one of
 	// the second too. Throws std::bad_alloc.

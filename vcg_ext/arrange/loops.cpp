@@ -27,7 +27,7 @@ public:
 		const Curve& curve = curve_;
 		std::vector<std::uint32_t> used;
 		std::vector<VertexId> given;
-		pointIndex_.assign(curve.pointCount(), kUnused);
+		pointIndex_.assign(curve.pointCount(), kNone);
 		for (std::uint32_t s = 0; s < curve.segments.size(); ++s) {
 			if (counts(curve.segments[s])) {
 				used.push_back(s);
@@ -45,7 +45,7 @@ public:
 		points_ = std::move(given);
 		givenCount_ = points_.size();
 		for (std::uint32_t p = 0; p < pointIndex_.size(); ++p) {
-			if (pointIndex_[p] != kUnused) {
+			if (pointIndex_[p] != kNone) {
 				pointIndex_[p] = static_cast<std::uint32_t>(points_.size());
 				points_.push_back({vertexCount_ + p});
 			}
@@ -92,8 +92,6 @@ private:
 		return static_cast<std::size_t>(std::lower_bound(points_.begin(), end, v) -
 		                                points_.begin());
 	}
-
-	static constexpr std::uint32_t kUnused = 0xffffffffu;
 
 	const Curve& curve_;
 	std::uint32_t vertexCount_;              // of both operands

@@ -274,7 +274,7 @@ std::uint32_t widestFan(const CommonFans& fans, const Node& node) {
 		std::sort(found[k].begin(), found[k].end());
 	}
 	std::uint64_t most = kCost * node.size();
-	std::uint32_t widest = CommonFans::kNone;
+	std::uint32_t widest = kNone;
 	forEachGroup(found[0].begin(), found[0].end(), std::equal_to<std::uint32_t>(),
 	             [&](auto first, auto last) {
 		             const auto others = std::equal_range(found[1].begin(), found[1].end(), *first);
@@ -397,11 +397,11 @@ bool Descent<Visit>::visitWithoutFans(const Node& node) {
 		return false;
 	}
 	std::uint32_t fan = widestFan(*fans_, node);
-	if (fan == CommonFans::kNone) {
+	if (fan == kNone) {
 		return false;
 	}
 	FanParting parting(*fans_, node);
-	for (; fan != CommonFans::kNone && !stopped(); fan = widestFan(*fans_, parting.rest())) {
+	for (; fan != kNone && !stopped(); fan = widestFan(*fans_, parting.rest())) {
 		tested_ += node.size();
 		visit(parting.take(fan));
 	}

@@ -7,6 +7,7 @@
 #pragma once
 
 #include "vcg_ext/base/huge_vector.h"
+#include "vcg_ext/base/ids.h"
 
 #include <array>
 #include <atomic>
@@ -25,7 +26,7 @@ public:
 	// united with others.
 	void clear(std::size_t begin, std::size_t end) {
 		for (std::size_t i = begin; i < end; ++i) {
-			parents_[i].store(kUnused, std::memory_order_relaxed);
+			parents_[i].store(kNone, std::memory_order_relaxed);
 		}
 	}
 
@@ -70,7 +71,7 @@ public:
 	void flatten(std::size_t begin, std::size_t end) {
 		for (std::size_t i = begin; i < end; ++i) {
 			std::uint32_t parent = root(static_cast<std::uint32_t>(i));
-			while (parent != kUnused && root(parent) != parent) {
+			while (parent != kNone && root(parent) != parent) {
 				parent = root(parent);
 			}
 			parents_[i].store(parent, std::memory_order_relaxed);
@@ -90,13 +91,11 @@ public:
 	}
 
 private:
-	static constexpr std::uint32_t kUnused = 0xffffffff;
-
 	// An element in no set becomes one. What an element below its root points to may be stored over
 	// by another thread, but only by an element of its set that is above the root as well.
 	std::uint32_t find(std::uint32_t i) {
 		std::uint32_t parent = parents_[i].load(std::memory_order_relaxed);
-		if (parent == kUnused &&
+		if (parent == kNone &&
 		    parents_[i].compare_exchange_strong(parent, i, std::memory_order_relaxed)) {
 			return i;
 		}

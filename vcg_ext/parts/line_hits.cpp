@@ -24,8 +24,6 @@ struct Met {
 	std::vector<std::uint32_t> near;  // faces of the complex whose planes hold the start's corner
 	std::uint32_t far = kNone;        // the first one beyond
 	double limit = std::numeric_limits<double>::infinity();  // what begins above is not the first
-
-	static constexpr std::uint32_t kNone = 0xffffffffu;
 };
 
 class Caster {
@@ -40,7 +38,7 @@ private:
 	// The hits of some lines, and a face that overlaps another there, or kNone.
 	struct Found {
 		std::vector<LineHit> hits;
-		std::uint32_t overlap = Met::kNone;
+		std::uint32_t overlap = kNone;
 	};
 
 	Status findCandidates();
@@ -135,7 +133,7 @@ bool Caster::take(std::uint32_t face, Met& met) const {
 	}
 	if (orient3d(plane, line.near[0]) == 0) {
 		met.near.push_back(face);
-	} else if (met.far == Met::kNone ||
+	} else if (met.far == kNone ||
 	           compareAlong({plane, facing}, onLine(met.far, line), line) < 0) {
 		met.far = face;
 		met.limit = std::min(met.limit, boxOf(face).hi[kLineAxis]);
@@ -162,7 +160,7 @@ bool Caster::append(Met& met, Found& found) const {
 		}
 		found.hits.push_back({met.line, sorted[i].second, sorted[i].first.facing > 0, false});
 	}
-	if (met.far != Met::kNone) {
+	if (met.far != kNone) {
 		found.hits.push_back({met.line, met.far, facingOf(met.far, met.upwards) > 0, true});
 	}
 	return true;
@@ -172,7 +170,7 @@ void Caster::cast(std::uint32_t line, Found& found) const {
 	const LineStart& start = starts_[line];
 	Met met{line, lineFrom(start), {}};
 	const BoundingBox begin{beginOf(start), beginOf(start)};
-	std::uint32_t overlap = Met::kNone;
+	std::uint32_t overlap = kNone;
 	const auto enters = [&](const BoundingBox& box) {
 		return mayMeet(kLineAxis, begin, box) && box.lo[kLineAxis] <= met.limit;
 	};
@@ -211,7 +209,7 @@ Status Caster::run(std::vector<LineHit>& hits) {
 	hits.clear();
 	for (std::size_t i = 0; i < chunks.size() && status.ok(); ++i) {
 		hits.insert(hits.end(), chunks[i].hits.begin(), chunks[i].hits.end());
-		if (chunks[i].overlap != Met::kNone) {
+		if (chunks[i].overlap != kNone) {
 			status = refuseOverlap(chunks[i].overlap);
 		}
 	}

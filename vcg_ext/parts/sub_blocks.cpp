@@ -222,7 +222,6 @@ Status Assembler::findTops(std::vector<LineStart>& tops) {
 	};
 	const Status status =
 	    parallelForChunks(count, kGrain, arrangement_.options.threads, monitor_, find);
-	constexpr std::uint32_t kNone = 0xffffffffu;
 	std::vector<std::uint32_t> number(surfaces_.all.size(), kNone);  // per root of a part
 	for (const std::vector<PartTop>& chunk : chunks) {
 		for (const PartTop& found : chunk) {

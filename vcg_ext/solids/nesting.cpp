@@ -26,7 +26,6 @@ struct ComponentList {
 
 ComponentList listComponents(const MeshArrays& mesh, OperandId operand,
                              const Components& components) {
-	constexpr std::uint32_t kNone = 0xffffffffu;
 	ComponentList list;
 	std::vector<std::uint32_t> number(components.idLimit(), kNone);
 	for (std::uint32_t f = mesh.faceOffsets.begin(operand); f < mesh.faceOffsets.end(operand);
