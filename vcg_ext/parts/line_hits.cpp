@@ -133,8 +133,7 @@ bool Caster::take(std::uint32_t face, Met& met) const {
 	}
 	if (orient3d(plane, line.near[0]) == 0) {
 		met.near.push_back(face);
-	} else if (met.far == kNone ||
-	           compareAlong({plane, facing}, onLine(met.far, line), line) < 0) {
+	} else if (met.far == kNone || compareAlong({plane, facing}, onLine(met.far, line), line) < 0) {
 		met.far = face;
 		met.limit = std::min(met.limit, boxOf(face).hi[kLineAxis]);
 	}
