@@ -80,20 +80,8 @@ bool FacePoints::rank(int axis) {
 	return true;
 }
 
-std::uint32_t FacePoints::rankOf(VertexId id) const {
-	const auto it =
-	    std::lower_bound(points_.begin(), points_.end(), id,
-	                     [](const FacePoint& p, VertexId wanted) { return p.id < wanted; });
-	return rankOf_[static_cast<std::size_t>(it - points_.begin())];
-}
-
-int FacePoints::operator()(std::uint32_t a, std::uint32_t b, std::uint32_t c) const {
-	const std::uint32_t i = order_[a], j = order_[b], k = order_[c];
-	if ((points_[i].onEdges & points_[j].onEdges & points_[k].onEdges) != 0) {
-		return 0;
-	}
-	const int sign = orient2d(rounded_[i], rounded_[j], rounded_[k]);
-	return sign != kUnknownSign ? sign : orient2d(exact(i), exact(j), exact(k), axis_);
+int FacePoints::exactOrientation(std::uint32_t i, std::uint32_t j, std::uint32_t k) const {
+	return orient2d(exact(i), exact(j), exact(k), axis_);
 }
 
 }  // namespace index_boolean

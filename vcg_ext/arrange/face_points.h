@@ -9,6 +9,7 @@
 #include "vcg_ext/exact/exact_sign.h"
 #include "vcg_ext/exact/planar_sweep.h"
 
+#include <algorithm>
 #include <vector>
 
 namespace index_boolean {
@@ -23,7 +24,7 @@ struct FacePoint {
 
 // The points of one face after another, in memory that is used again. A rank is a point's place in
 // lexicographic order of the exact coordinates, projected along an axis.
-class FacePoints : public PlanarOrientation {
+class FacePoints final : public PlanarOrientation {
 public:
 	// Borrows the arrangement.
 	explicit FacePoints(const Arrangement& arrangement) : arrangement_(arrangement) {}
@@ -52,6 +53,7 @@ public:
 private:
 	bool isBefore(std::uint32_t a, std::uint32_t b) const;
 	ExactPoint exact(std::uint32_t i) const;
+	int exactOrientation(std::uint32_t i, std::uint32_t j, std::uint32_t k) const;
 
 	const Arrangement& arrangement_;
 	int axis_ = 0;
@@ -61,5 +63,21 @@ private:
 	std::vector<std::uint32_t> order_;   // by rank: which of the points it is
 	std::vector<std::uint32_t> rankOf_;  // of each
 };
+
+inline std::uint32_t FacePoints::rankOf(VertexId id) const {
+	const auto it =
+	    std::lower_bound(points_.begin(), points_.end(), id,
+	                     [](const FacePoint& p, VertexId wanted) { return p.id < wanted; });
+	return rankOf_[static_cast<std::size_t>(it - points_.begin())];
+}
+
+inline int FacePoints::operator()(std::uint32_t a, std::uint32_t b, std::uint32_t c) const {
+	const std::uint32_t i = order_[a], j = order_[b], k = order_[c];
+	if ((points_[i].onEdges & points_[j].onEdges & points_[k].onEdges) != 0) {
+		return 0;
+	}
+	const int sign = orient2d(rounded_[i], rounded_[j], rounded_[k]);
+	return sign != kUnknownSign ? sign : exactOrientation(i, j, k);
+}
 
 }  // namespace index_boolean

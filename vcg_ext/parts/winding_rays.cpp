@@ -106,7 +106,11 @@ std::vector<BoundingBox> Rays::sampleOf(OperandId operand) const {
 // unless the axis along which the fewest lie above all queries is about as good: each axis in use
 // costs a look at each face.
 Status Rays::chooseAxes(OperandId operand, int threads, Monitor& monitor) {
-	constexpr std::size_t kWorthAnAxis = 4, kQueries = 256;
+	constexpr std::size_t kWorthAnAxis = 4, kQueries = 256, kFew = 1 << 10;
+	if (queries_.size() * mesh_.faceOffsets.size(operand) <= kFew) {
+		axes_.assign(queries_.size(), 0);  // done before a choice would be
+		return {};
+	}
 	using PerAxis = std::array<std::size_t, 3>;
 	const std::vector<BoundingBox> sample = sampleOf(operand);
 	std::vector<PerAxis> above(queries_.size());

@@ -47,7 +47,8 @@ private:
 	Monitor& monitor_;
 	LabelNodes nodes_;
 	UnionFind classes_{0};
-	std::vector<Label> label_;  // per root of a class
+	std::vector<Label> label_;                   // per root of a class
+	std::vector<LabelledHalfPlane> halfPlanes_;  // of one segment
 };
 
 // Each operand's components must not lie in each other, but for cavities.
@@ -81,7 +82,8 @@ Status Labeller::setLabel(NodeId node, Label label, FaceId face) {
 // Labels what lies beside one segment, whose sides these are.
 Status Labeller::labelBesides(const SegmentSide* first, const SegmentSide* last) {
 	const Segment& segment = at(arrangement_.curve.segments, first->segment);
-	std::vector<LabelledHalfPlane> halfPlanes;
+	std::vector<LabelledHalfPlane>& halfPlanes = halfPlanes_;
+	halfPlanes.clear();
 	for (const SegmentSide* side = first; side != last; ++side) {
 		const bool onFirst = mesh_.operandOf(side->face) == kFirst;
 		if (side->left != NodeId::none()) {
