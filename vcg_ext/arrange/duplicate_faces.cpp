@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Most meshes have no duplicates, so two passes over the faces first rule out nearly all of them: a
-// table of 64-bit words, of which a face sets two bits in the word of its smallest vertex.
+// table of 64-bit words, of which a face sets two bits in the word of its vertices' mean number.
 // Only faces that find both set, and those that share bits with such a face, are compared.
 #include "vcg_ext/arrange/duplicate_faces.h"
 
@@ -20,8 +20,8 @@ namespace {
 
 using SuspectFace = KeyedFace<VertexId>;
 
-// The bits that faces have set, by their smallest vertices: neighbouring faces use words near to
-// each other.
+// The bits that faces have set, by the mean number of their vertices: neighbouring faces use words
+// near to each other, and the many faces of one vertex do not share a word.
 class FaceFilter {
 public:
 	// A word for each two faces: a closed surface has half as many vertices as faces.
@@ -60,7 +60,7 @@ private:
 		const std::uint64_t sum = std::uint64_t{a} + b + c;
 		const std::uint64_t hash = (sum << 32 | (a ^ b ^ c)) * 0xd6e8feb86659fd93U;
 		constexpr std::uint64_t kOne = 1;
-		return {std::min({a, b, c}) & (words_.size() - 1),
+		return {static_cast<std::size_t>(sum / 3) & (words_.size() - 1),
 		        kOne << (hash >> 58) | kOne << (hash >> 52 & 63)};
 	}
 

@@ -8,6 +8,8 @@
 #include "vcg_ext/arrange/places.h"
 #include "vcg_ext/exact/exact_sign.h"
 
+#include <cmath>
+
 namespace index_boolean {
 
 namespace {
@@ -77,10 +79,43 @@ void RadialOrder::sort() {
 	const auto sameSide = [this](std::uint32_t i) {
 		return sideInPlane(*rays_[i].witness, rays_[0].axis) == rays_[0].sideInPlane;
 	};
-	sortRadially(rays_.size(), turn, sameSide, places_);
+	const AngleHint hint(begin_.rounded, end_.rounded);
+	const auto angle = [this, &hint](std::uint32_t i) { return hint(*rays_[i].witness); };
+	sortRadially(rays_.size(), turn, sameSide, angle, places_);
 }
 
 }  // namespace
+
+// u is at right angles to the line and to one axis, v to both.
+AngleHint::AngleHint(const Point& begin, const Point& end) : begin_(begin) {
+	Point along{};
+	for (std::size_t k = 0; k < 3; ++k) {
+		along[k] = end[k] - begin[k];
+	}
+	std::size_t most = 0;
+	for (std::size_t k = 1; k < 3; ++k) {
+		most = std::abs(along[k]) > std::abs(along[most]) ? k : most;
+	}
+	const std::size_t next = (most + 1) % 3;
+	const double length = std::hypot(along[0], along[1], along[2]);
+	u_[most] = -along[next] / length;
+	u_[next] = along[most] / length;
+	v_[0] = (along[1] * u_[2] - along[2] * u_[1]) / length;
+	v_[1] = (along[2] * u_[0] - along[0] * u_[2]) / length;
+	v_[2] = (along[0] * u_[1] - along[1] * u_[0]) / length;
+}
+
+double AngleHint::operator()(const Point& p) const {
+	double x = 0, y = 0;
+	for (std::size_t k = 0; k < 3; ++k) {
+		x += (p[k] - begin_[k]) * u_[k];
+		y += (p[k] - begin_[k]) * v_[k];
+	}
+	const double size = std::abs(x) + std::abs(y);
+	const double quarter = y / size / 4;  // of the diamond |x| + |y| = 1, as good as an angle
+	const double turn = x < 0 ? 0.5 - quarter : (y < 0 ? 1 + quarter : quarter);
+	return std::isfinite(turn) ? turn : 0;
+}
 
 bool sortAround(const Arrangement& arrangement, VertexId begin, VertexId end,
                 const std::vector<HalfPlane>& halfPlanes, std::vector<RadialPlace>& places) {

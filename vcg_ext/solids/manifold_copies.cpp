@@ -540,7 +540,9 @@ Status copyNonManifoldAsStored(OutputScalar scalar, Monitor& monitor, Block& blo
 			}
 			return orient2d(a, b, apex(i), axis) == first;
 		};
-		sortRadially(faces.size(), turn, sameSide, places);
+		const AngleHint hint(a, b);
+		const auto angle = [&](std::uint32_t i) { return hint(apex(i)); };
+		sortRadially(faces.size(), turn, sameSide, angle, places);
 		return true;
 	};
 	return separate(block, 0, sortFan, monitor,
