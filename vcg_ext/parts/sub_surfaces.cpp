@@ -46,6 +46,7 @@ private:
 	Status listRuns();
 	void listRuns(std::uint32_t begin, std::uint32_t end, std::vector<FaceRun>& runs) const;
 	void addFace(std::uint32_t face, FaceRun& run) const;
+	std::vector<const FaceRun*> inOrderOfFaces(const std::vector<const FaceRun*>& best) const;
 	void numberSubSurfaces();
 	void addSubSurface(std::uint32_t smallest);
 	Status listFaces();
@@ -66,7 +67,7 @@ private:
 	std::uint32_t sideOf(std::uint32_t patch) const { return sides_.root(2 * patch); }
 	int compare(VertexId a, VertexId b) const { return comparePlaces(arrangement_, a, b); }
 	Triangle cornersInOrder(std::uint32_t face) const;
-	bool isSmaller(std::uint32_t face, std::uint32_t than) const;
+	bool isSmaller(const Triangle& a, const Triangle& b) const;
 	bool isBefore(std::uint32_t face, const Point& least, std::uint32_t than,
 	              const Point& leastOfOther) const;
 
@@ -164,8 +165,8 @@ Triangle SubSurfaceFinder::cornersInOrder(std::uint32_t face) const {
 	return t;
 }
 
-bool SubSurfaceFinder::isSmaller(std::uint32_t face, std::uint32_t than) const {
-	const Triangle a = cornersInOrder(face), b = cornersInOrder(than);
+// Of faces by their corners in that order.
+bool SubSurfaceFinder::isSmaller(const Triangle& a, const Triangle& b) const {
 	for (std::size_t i = 0; i < 3; ++i) {
 		if (const int order = compare(a[i], b[i]); order != 0) {
 			return order < 0;
@@ -177,7 +178,8 @@ bool SubSurfaceFinder::isSmaller(std::uint32_t face, std::uint32_t than) const {
 // As isSmaller, for faces of which the places of their first corners are known.
 bool SubSurfaceFinder::isBefore(std::uint32_t face, const Point& least, std::uint32_t than,
                                 const Point& leastOfOther) const {
-	return least < leastOfOther || (least == leastOfOther && isSmaller(face, than));
+	return least < leastOfOther ||
+	       (least == leastOfOther && isSmaller(cornersInOrder(face), cornersInOrder(than)));
 }
 
 void SubSurfaceFinder::addFace(std::uint32_t face, FaceRun& run) const {
@@ -254,6 +256,28 @@ void SubSurfaceFinder::addSubSurface(std::uint32_t smallest) {
 	out_.all.push_back(surface);
 }
 
+// Sub-surfaces in the order of their smallest faces, given one run with that face of each.
+std::vector<const FaceRun*>
+SubSurfaceFinder::inOrderOfFaces(const std::vector<const FaceRun*>& best) const {
+	struct Keyed {
+		Triangle corners;
+		const FaceRun* run;
+	};
+	std::vector<Keyed> keyed;
+	for (const FaceRun* run : best) {
+		if (run != nullptr) {
+			keyed.push_back({cornersInOrder(run->smallest), run});
+		}
+	}
+	std::sort(keyed.begin(), keyed.end(),
+	          [this](const Keyed& a, const Keyed& b) { return isSmaller(a.corners, b.corners); });
+	std::vector<const FaceRun*> order;
+	for (const Keyed& k : keyed) {
+		order.push_back(k.run);
+	}
+	return order;
+}
+
 // Sub-surfaces are numbered in the order of their smallest faces.
 void SubSurfaceFinder::numberSubSurfaces() {
 	// Per root patch: the run with the smallest face, and the sums of all.
@@ -271,15 +295,9 @@ void SubSurfaceFinder::numberSubSurfaces() {
 			faceCount[run.side / 2] += run.end - run.begin;
 		}
 	}
-	std::vector<const FaceRun*> order;
-	std::copy_if(best.begin(), best.end(), std::back_inserter(order),
-	             [](const FaceRun* run) { return run != nullptr; });
-	std::sort(order.begin(), order.end(), [this](const FaceRun* a, const FaceRun* b) {
-		return isSmaller(a->smallest, b->smallest);
-	});
 	ofSet_.resize(patchCount_);
 	std::uint32_t first = 0;
-	for (const FaceRun* run : order) {
+	for (const FaceRun* run : inOrderOfFaces(best)) {
 		const std::uint32_t patch = run->side / 2;
 		ofSet_[patch] = makeId<SubSurfaceTag>(out_.all.size());
 		addSubSurface(run->smallest);
