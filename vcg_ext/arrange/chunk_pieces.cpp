@@ -106,6 +106,27 @@ void ChunkPieces::appendSides(FaceId face, const FaceEdges& edges, const FacePie
 	}
 }
 
+// Links a region to a corner of its face.
+void ChunkPieces::linkCorner(const Arrangement& arrangement, std::uint32_t region,
+                             VertexId corner) {
+	auto& list = arrangement.isOnOther(corner) ? cornerLinks : links;
+	list.push_back({region, {corner.value}});
+}
+
+void ChunkPieces::appendWhole(const Arrangement& arrangement, const FaceLines& lines) {
+	const Triangle& t = at(arrangement.mesh.triangles, lines.face);
+	const std::uint32_t region = regionCount++;
+	cutFaces.push_back({lines.face, static_cast<std::uint32_t>(pieces.size())});
+	pieces.push_back(t);
+	pieceRegion.push_back(region);
+	for (const FaceSide& side : lines.sides) {
+		if (const NodeId node = intervalNode(arrangement, side, 0); node != NodeId::none()) {
+			links.push_back({region, node});
+		}
+		linkCorner(arrangement, region, side.points[0]);
+	}
+}
+
 void ChunkPieces::append(const Arrangement& arrangement, FaceId face, const FacePoints& points,
                          const FaceEdges& edges, const FacePieces& facePieces) {
 	appendSides(face, edges, facePieces);
@@ -117,8 +138,7 @@ void ChunkPieces::append(const Arrangement& arrangement, FaceId face, const Face
 			const FacePoint& p = points.at(facePieces.triangles[piece][i]);
 			t[i] = p.id;
 			if (p.isCorner()) {
-				auto& list = arrangement.isOnOther(p.id) ? cornerLinks : links;
-				list.push_back({region, {p.id.value}});
+				linkCorner(arrangement, region, p.id);
 			}
 		}
 		pieces.push_back(t);

@@ -40,7 +40,12 @@ struct ChunkPieces {
 	void append(const Arrangement& arrangement, FaceId face, const FacePoints& points,
 	            const FaceEdges& edges, const FacePieces& pieces);
 
+	// Adds a face that is met at its corners alone: it is its one piece. O(1).
+	// Throws std::bad_alloc.
+	void appendWhole(const Arrangement& arrangement, const FaceLines& lines);
+
 private:
+	void linkCorner(const Arrangement& arrangement, std::uint32_t region, VertexId corner);
 	void appendSides(FaceId face, const FaceEdges& edges, const FacePieces& pieces);
 };
 

@@ -37,12 +37,10 @@ bool FaceEdges::fixSegments(const Curve& curve, const FaceLines& lines, const Fa
 
 bool FaceEdges::fixSide(const Arrangement& arrangement, const FaceSide& side,
                         const FacePoints& points) {
-	const MeshArrays& mesh = arrangement.mesh;
 	std::uint32_t to = points.rankOf(side.points[0]);
 	for (std::size_t i = 0; i + 1 < side.points.size(); ++i) {
-		const VertexId begin = side.points[i], end = side.points[i + 1];
 		const std::uint32_t from = to;
-		to = points.rankOf(end);
+		to = points.rankOf(side.points[i + 1]);
 		FaceEdge* edge = named(from, to);
 		if (edge == nullptr) {
 			return false;
@@ -52,10 +50,7 @@ bool FaceEdges::fixSide(const Arrangement& arrangement, const FaceSide& side,
 			continue;  // a segment
 		}
 		edge->isFixed = true;
-		const bool isQuiet = mesh.isQuiet(begin) && mesh.isQuiet(end);
-		if (arrangement.isOnOther(begin) && arrangement.isOnOther(end) && !isQuiet) {
-			edge->interval = makeId<NodeTag>(mesh.points.size() + side.interval(i));
-		}
+		edge->interval = intervalNode(arrangement, side, i);
 	}
 	return true;
 }

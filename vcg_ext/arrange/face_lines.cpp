@@ -82,4 +82,19 @@ void FaceLineFinder::find(FaceId face, FaceLines& lines) const {
 	lines.diagonals = linesOn(arrangement_.curve.faceDiagonals, face);
 }
 
+bool FaceLines::areEmpty() const {
+	const bool anyInside =
+	    segments.begin() != segments.end() || diagonals.begin() != diagonals.end();
+	return !anyInside && std::all_of(sides.begin(), sides.end(),
+	                                 [](const FaceSide& side) { return side.points.size() == 2; });
+}
+
+NodeId intervalNode(const Arrangement& arrangement, const FaceSide& side, std::size_t i) {
+	const MeshArrays& mesh = arrangement.mesh;
+	const VertexId begin = side.points[i], end = side.points[i + 1];
+	const bool isQuiet = mesh.isQuiet(begin) && mesh.isQuiet(end);
+	const bool isShared = arrangement.isOnOther(begin) && arrangement.isOnOther(end) && !isQuiet;
+	return isShared ? makeId<NodeTag>(mesh.points.size() + side.interval(i)) : NodeId::none();
+}
+
 }  // namespace index_boolean

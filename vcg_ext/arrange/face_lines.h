@@ -41,7 +41,15 @@ struct FaceLines {
 	std::array<FaceSide, 3> sides;  // from corner i on
 	ConstRange<FaceSegment> segments;
 	ConstRange<FaceDiagonal> diagonals;
+
+	// Nothing is on the face but its corners.
+	bool areEmpty() const;
 };
+
+// The node of the interval from points[i] of a side to the next, which has one of its own if both
+// are on the other operand and the interval is not known to lie on it; else none.
+// \pre no segment runs along the interval. Complexity: O(1).
+NodeId intervalNode(const Arrangement& arrangement, const FaceSide& side, std::size_t i);
 
 // The segments on a face, in order. Borrows the curve.
 // Complexity: O(log s) for s segments on all faces.

@@ -140,7 +140,9 @@ Status joinPolygons(Arrangement& arrangement, Monitor& monitor) {
 		return found;
 	});
 	mesh.faux = std::move(joining);
-	std::sort(out.flatEdges.begin(), out.flatEdges.end());
+	if (!std::is_sorted(out.flatEdges.begin(), out.flatEdges.end())) {  // vertices in common
+		std::sort(out.flatEdges.begin(), out.flatEdges.end());
+	}
 	out.polygon = roots(polygons);
 	out.flat = roots(flat);
 	return status;

@@ -47,7 +47,6 @@ private:
 	bool isStopped() const { return points_.size() > kMany && pollCancelled(monitor_); }
 
 	bool findPoints(FaceId face);
-	bool triangulate();
 	bool findPieces(const EulerCounts& counts);
 
 	static constexpr std::size_t kMany = 4096;
@@ -66,7 +65,7 @@ private:
 	FacePieces pieces_;
 };
 
-// The face's lines and the points on them, ranked. False if two of the points are one place.
+// The points on the face's lines, ranked. False if two of the points are one place.
 bool FaceCutter::findPoints(FaceId face) {
 	int front = 1;
 	const int axis =
@@ -75,20 +74,7 @@ bool FaceCutter::findPoints(FaceId face) {
 		return false;  // no area: nothing can cross it
 	}
 	seenFromBehind_ = front < 0;
-	finder_.find(face, lines_);
 	return points_.collect(lines_) && !isStopped() && points_.rank(axis) && !isStopped();
-}
-
-// A face that is met at its corners alone is its one piece, as the sweep would begin it.
-bool FaceCutter::triangulate() {
-	const auto pointCount = static_cast<std::uint32_t>(points_.size());
-	if (pointCount == 3) {
-		const bool isLeftTurn = points_(0, 1, 2) > 0;
-		pieces_.triangles.assign(1, {isLeftTurn ? 1u : 0u, 2u, isLeftTurn ? 0u : 1u});
-		return true;
-	}
-	edges_.required(lines_, points_, required_);
-	return sweep_.triangulate(pointCount, required_, points_, monitor_, pieces_.triangles);
 }
 
 // The edges between the points, and pieces that contain them. False if the lines cannot all be part
@@ -97,7 +83,9 @@ bool FaceCutter::findPieces(const EulerCounts& counts) {
 	if (!edges_.fix(arrangement_, lines_, points_, counts.edges)) {
 		return false;
 	}
-	if (!triangulate()) {
+	edges_.required(lines_, points_, required_);
+	const auto pointCount = static_cast<std::uint32_t>(points_.size());
+	if (!sweep_.triangulate(pointCount, required_, points_, monitor_, pieces_.triangles)) {
 		return false;
 	}
 	if (seenFromBehind_) {
@@ -108,6 +96,11 @@ bool FaceCutter::findPieces(const EulerCounts& counts) {
 
 Failure FaceCutter::cut(FaceId face) {
 	const Failure refused{StatusCode::SelfIntersecting, face, 0};
+	finder_.find(face, lines_);
+	if (lines_.areEmpty()) {
+		out_.appendWhole(arrangement_, lines_);
+		return {};
+	}
 	if (!findPoints(face)) {
 		return refused;
 	}
