@@ -393,8 +393,8 @@ ordered_json describeBlocks(const Outcome& outcome) {
 // What decided how many signs since the last call; empty in a build that does not count.
 ordered_json describeSigns() {
 	const std::array<const char*, kPredicateCount> predicates{
-	    "pair_sieve",  "orient3d", "orient2d", "curve_orient2d",
-	    "curve_order", "slopes",   "rounding"};
+	    "pair_sieve", "orient3d", "orient2d",   "curve_orient2d", "curve_order",
+	    "slopes",     "rounding", "axis_order", "in_circle"};
 	const std::array<const char*, kDeciderCount> deciders{"double", "double_double", "integers",
 	                                                      "undecided"};
 	const SignCounts counts = takeSignCounts();

@@ -17,6 +17,7 @@
 #include "vcg_ext/base/parallel.h"
 #include "vcg_ext/carry/polygons.h"
 #include "vcg_ext/mesh/clean.h"
+#include "vcg_ext/solids/delaunay_pieces.h"
 #include "vcg_ext/solids/labels.h"
 #include "vcg_ext/solids/manifold_copies.h"
 #include "vcg_ext/solids/merge_fragments.h"
@@ -200,7 +201,9 @@ Status extractBlock(const Arrangement& arrangement, Operation operation, Monitor
 		});
 		stages.run("merge_fragments", 0.1,
 		           [&] { return mergeFragments(arrangement, monitor, out); });
-		stages.run("clean", 0.15, [&] { return finishBlock(options, monitor, out); });
+		stages.run("delaunay_pieces", 0.05,
+		           [&] { return makePiecesDelaunay(arrangement, monitor, out); });
+		stages.run("clean", 0.1, [&] { return finishBlock(options, monitor, out); });
 		stages.run("polygons", 0.05, [&] { return findFauxEdges(arrangement, {}, monitor, out); });
 		return stages.status();
 	});

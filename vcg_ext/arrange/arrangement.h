@@ -82,11 +82,10 @@ struct FaceSegment {
 	SegmentId segment;
 };
 
-// A line inside a face that its pieces must respect but that parts nothing: a diagonal of a
-// coplanar overlap, by which both operands' pieces there are the same triangles.
-struct FaceDiagonal {
+// A vertex of one operand inside a face of the other.
+struct FaceVertex {
 	FaceId face;
-	VertexId begin, end;
+	VertexId vertex;
 };
 
 // An input edge with points on it, or with both ends on the other operand:
@@ -111,8 +110,8 @@ struct Curve {
 	std::vector<CutEdge> cutEdges;
 	std::vector<VertexId> pointsOnEdges;
 	std::vector<Segment> segments;
-	std::vector<FaceSegment> faceSegments;    // sorted by face
-	std::vector<FaceDiagonal> faceDiagonals;  // sorted by face
+	std::vector<FaceSegment> faceSegments;  // sorted by face
+	std::vector<FaceVertex> faceVertices;   // sorted by face, then by vertex; each once
 	// Per input vertex and new point: on the curve, and more happens there than one edge passing
 	// through one face. Only there can a block meet itself, or a cut part nothing.
 	std::vector<std::uint8_t> irregular;

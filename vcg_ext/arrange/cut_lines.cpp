@@ -223,11 +223,12 @@ public:
 	void collect();
 
 	std::vector<ContactLine> lines;
-	std::vector<FaceDiagonal> diagonals;
+	std::vector<FaceVertex> faceVertices;  // in any order
 
 private:
 	void addLine(VertexId begin, VertexId end, std::uint32_t contact);
 	void addOverlap(std::uint32_t contact);
+	void addVertices(const NamedContact& contact);
 
 	using Corner = std::pair<VertexId, ExactPoint>;
 	std::vector<Corner> cornersOf(const NamedContact& overlap) const;
@@ -266,7 +267,7 @@ std::vector<LineCollector::Corner> LineCollector::cornersOf(const NamedContact& 
 	return corners;
 }
 
-// The sides of a coplanar overlap, and a fan of diagonals from its first corner.
+// The sides of a coplanar overlap.
 void LineCollector::addOverlap(std::uint32_t contact) {
 	const NamedContact& c = contacts_.pairs[contact];
 	const std::vector<Corner> corners = cornersOf(c);
@@ -274,15 +275,29 @@ void LineCollector::addOverlap(std::uint32_t contact) {
 		const VertexId next = corners[(i + 1) % corners.size()].first;
 		addLine(corners[i].first, next, contact);
 	}
-	for (std::size_t i = 2; i + 1 < corners.size(); ++i) {
-		diagonals.push_back({c.a, corners.front().first, corners[i].first});
-		diagonals.push_back({c.b, corners.front().first, corners[i].first});
+}
+
+// The vertices of either face that lie inside the other one.
+void LineCollector::addVertices(const NamedContact& contact) {
+	for (std::uint32_t i = 0; i < contact.count; ++i) {
+		const PointName& name = contacts_.names[contact.first + i];
+		if (name.kind != PointKind::Vertex) {
+			continue;
+		}
+		const VertexId vertex{name.ids[0]};
+		for (const FaceId face : {contact.a, contact.b}) {
+			const Triangle& t = at(arrangement_.mesh.triangles, face);
+			if (std::find(t.begin(), t.end(), vertex) == t.end()) {
+				faceVertices.push_back({face, vertex});
+			}
+		}
 	}
 }
 
 void LineCollector::collect() {
 	for (std::uint32_t i = 0; i < contacts_.pairs.size(); ++i) {
 		const NamedContact& c = contacts_.pairs[i];
+		addVertices(c);
 		if (c.count == 2) {
 			addLine(vertexOfName_[c.first], vertexOfName_[c.first + 1], i);
 		} else if (c.count > 2) {
@@ -291,19 +306,25 @@ void LineCollector::collect() {
 	}
 }
 
+// Each vertex once in each face.
+void takeFaceVertices(std::vector<FaceVertex>& collected, Curve& curve) {
+	std::sort(collected.begin(), collected.end(), [](const FaceVertex& a, const FaceVertex& b) {
+		return a.face != b.face ? a.face < b.face : a.vertex < b.vertex;
+	});
+	const auto end = std::unique(collected.begin(), collected.end(),
+	                             [](const FaceVertex& a, const FaceVertex& b) {
+		                             return a.face == b.face && a.vertex == b.vertex;
+	                             });
+	curve.faceVertices.assign(collected.begin(), end);
+}
+
 // \param lines replaced; sorted
 Status collectLines(Arrangement& arrangement, const Contacts& contacts,
                     const std::vector<VertexId>& vertexOfName, Monitor& monitor,
                     std::vector<ContactLine>& lines) {
 	LineCollector collector(arrangement, contacts, vertexOfName);
 	collector.collect();
-	std::sort(collector.diagonals.begin(), collector.diagonals.end(),
-	          [](const FaceDiagonal& a, const FaceDiagonal& b) {
-		          return a.face != b.face     ? a.face < b.face
-		                 : a.begin != b.begin ? a.begin < b.begin
-		                                      : a.end < b.end;
-	          });
-	arrangement.curve.faceDiagonals = std::move(collector.diagonals);
+	takeFaceVertices(collector.faceVertices, arrangement.curve);
 	lines = std::move(collector.lines);
 	const std::size_t vertexCount = arrangement.mesh.points.size() + arrangement.curve.pointCount();
 	const auto keyOf = [](const ContactLine& line) { return line.key().first.value; };

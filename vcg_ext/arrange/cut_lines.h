@@ -13,7 +13,7 @@
 
 namespace index_boolean {
 
-// Fills cutEdges, pointsOnEdges, segments, faceSegments, faceDiagonals and irregular of
+// Fills cutEdges, pointsOnEdges, segments, faceSegments, faceVertices and irregular of
 // arrangement.curve.
 // \param vertexOfName per name in the contacts, as curve_points.h numbers them
 // \return Ok, Cancelled, OutOfMemory, InternalError; TooLarge if points on edges, their intervals,

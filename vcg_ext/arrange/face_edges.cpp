@@ -66,16 +66,4 @@ bool FaceEdges::fix(const Arrangement& arrangement, const FaceLines& lines,
 	return isFixed;
 }
 
-void FaceEdges::required(const FaceLines& lines, const FacePoints& points,
-                         std::vector<PlanarEdge>& out) const {
-	out.clear();
-	for (const FaceEdge& edge : fixed()) {
-		out.push_back(edge.ranks);
-	}
-	for (const FaceDiagonal& d : lines.diagonals) {
-		const auto [left, right] = std::minmax({points.rankOf(d.begin), points.rankOf(d.end)});
-		out.push_back({left, right});
-	}
-}
-
 }  // namespace index_boolean

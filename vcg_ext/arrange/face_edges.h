@@ -41,19 +41,23 @@ public:
 	bool fix(const Arrangement& arrangement, const FaceLines& lines, const FacePoints& points,
 	         std::size_t most);
 
-	// What the triangulation must contain: the fixed edges and the diagonals. \param out replaced
-	void required(const FaceLines& lines, const FacePoints& points,
-	              std::vector<PlanarEdge>& out) const;
-
 	// The edge between two points given by rank, which is new if it has not been named yet; or null
 	// if there is no room for one more. Valid until the edges are replaced. O(1).
 	FaceEdge* named(std::uint32_t a, std::uint32_t b);
 
+	// The fixed edge between two points given by rank, or null. O(1).
+	FaceEdge* fixedBetween(std::uint32_t a, std::uint32_t b);
+
+	ConstRange<FaceEdge> others() const {
+		return {edges_.data() + fixedCount_, edges_.data() + edges_.size()};
+	}
 	ConstRange<FaceEdge> fixed() const { return {edges_.data(), edges_.data() + fixedCount_}; }
 	const std::vector<FaceEdge>& all() const { return edges_; }
 
 private:
 	void reset(std::size_t most);
+	// Of the edge with these ends, or the free one for it.
+	std::size_t slotOf(PlanarEdge ranks) const;
 	bool fixSegments(const Curve& curve, const FaceLines& lines, const FacePoints& points);
 	bool fixSide(const Arrangement& arrangement, const FaceSide& side, const FacePoints& points);
 
@@ -64,16 +68,29 @@ private:
 	unsigned shift_ = 0;
 };
 
-inline FaceEdge* FaceEdges::named(std::uint32_t a, std::uint32_t b) {
+inline std::size_t FaceEdges::slotOf(PlanarEdge ranks) const {
 	constexpr std::uint64_t kMultiplier = 0x9e3779b97f4a7c15u;  // 2^64 / golden ratio
-	const PlanarEdge ranks{std::min(a, b), std::max(a, b)};
 	const std::uint64_t key = std::uint64_t{ranks.left} << 32 | ranks.right;
 	std::size_t slot = key * kMultiplier >> shift_;
 	for (; slots_[slot] != 0; slot = (slot + 1) & (slots_.size() - 1)) {
-		FaceEdge& edge = edges_[slots_[slot] - 1];
-		if (edge.ranks.left == ranks.left && edge.ranks.right == ranks.right) {
-			return &edge;
+		const PlanarEdge& found = edges_[slots_[slot] - 1].ranks;
+		if (found.left == ranks.left && found.right == ranks.right) {
+			break;
 		}
+	}
+	return slot;
+}
+
+inline FaceEdge* FaceEdges::fixedBetween(std::uint32_t a, std::uint32_t b) {
+	const std::uint32_t found = slots_[slotOf({std::min(a, b), std::max(a, b)})];
+	return found != 0 && found <= fixedCount_ ? &edges_[found - 1] : nullptr;
+}
+
+inline FaceEdge* FaceEdges::named(std::uint32_t a, std::uint32_t b) {
+	const PlanarEdge ranks{std::min(a, b), std::max(a, b)};
+	const std::size_t slot = slotOf(ranks);
+	if (slots_[slot] != 0) {
+		return &edges_[slots_[slot] - 1];
 	}
 	if (edges_.size() == most_) {
 		return nullptr;

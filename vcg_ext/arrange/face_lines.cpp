@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Few cut edges to search among begin with about the same lower end; the lists of segments and
-// diagonals are sorted by face.
+// vertices are sorted by face.
 #include "vcg_ext/arrange/face_lines.h"
 
 #include <algorithm>
@@ -79,12 +79,11 @@ void FaceLineFinder::find(FaceId face, FaceLines& lines) const {
 		findSide(corners[i], corners[(i + 1) % 3], lines.sides[i]);
 	}
 	lines.segments = segmentsOn(arrangement_.curve, face);
-	lines.diagonals = linesOn(arrangement_.curve.faceDiagonals, face);
+	lines.vertices = linesOn(arrangement_.curve.faceVertices, face);
 }
 
 bool FaceLines::areEmpty() const {
-	const bool anyInside =
-	    segments.begin() != segments.end() || diagonals.begin() != diagonals.end();
+	const bool anyInside = segments.begin() != segments.end() || vertices.begin() != vertices.end();
 	return !anyInside && std::all_of(sides.begin(), sides.end(),
 	                                 [](const FaceSide& side) { return side.points.size() == 2; });
 }

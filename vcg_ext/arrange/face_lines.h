@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // in: the curve; out: what one touched face has to respect: the points on its three edges, in
-// order, and the segments and diagonals inside it. Guarantee: by index alone.
+// order, and the segments and vertices inside it. Guarantee: by index alone.
 #pragma once
 
 #include "vcg_ext/arrange/arrangement.h"
@@ -40,7 +40,7 @@ struct FaceLines {
 	FaceId face;
 	std::array<FaceSide, 3> sides;  // from corner i on
 	ConstRange<FaceSegment> segments;
-	ConstRange<FaceDiagonal> diagonals;
+	ConstRange<FaceVertex> vertices;  // inside the face; ends of segments or not
 
 	// Nothing is on the face but its corners.
 	bool areEmpty() const;

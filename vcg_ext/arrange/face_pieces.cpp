@@ -84,4 +84,28 @@ bool FacePieces::certify(FaceEdges& edges) {
 	return true;
 }
 
+// Flips exchange triangles among the pieces' numbers.
+void FacePieces::enterBesideFixed(FaceEdges& edges) const {
+	for (std::uint32_t piece = 0; piece < triangles.size(); ++piece) {
+		for (int i = 0; i < 3; ++i) {
+			const std::uint32_t from = triangles[piece][static_cast<std::size_t>(i)];
+			const std::uint32_t to = triangles[piece][static_cast<std::size_t>(nextCorner(i))];
+			if (FaceEdge* edge = edges.fixedBetween(from, to); edge != nullptr) {
+				edge->pieces[from < to ? 1 : 0] = piece;
+			}
+		}
+	}
+}
+
+void FacePieces::flip(FaceEdges& edges, const FacePoints& points, int front, Monitor& monitor) {
+	freeEdges_.clear();
+	for (const FaceEdge& edge : edges.others()) {
+		freeEdges_.push_back({edge.ranks, edge.pieces});
+	}
+	if (!freeEdges_.empty() &&
+	    flips_.run(freeEdges_, points.places(), front, points, monitor, triangles) > 0) {
+		enterBesideFixed(edges);
+	}
+}
+
 }  // namespace index_boolean

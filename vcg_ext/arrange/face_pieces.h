@@ -2,10 +2,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // in: triangles by rank and the edges of their face; out: the proof that they cover the face once,
-// and the regions into which the fixed edges part it. Guarantee: by index alone.
+// the regions into which the fixed edges part it, and in each the best triangles.
+// Guarantee: proof and regions by index alone.
 #pragma once
 
 #include "vcg_ext/arrange/face_edges.h"
+#include "vcg_ext/exact/delaunay_flips.h"
 
 #include <array>
 #include <vector>
@@ -30,6 +32,12 @@ public:
 	// Complexity: O(n), but for a union-find's search.
 	bool certify(FaceEdges& edges);
 
+	// Flips edges that are not fixed until all pieces are as round as they can be; each stays in
+	// its region, and fixed edges know the pieces beside them. \pre certified with these edges and
+	// points \param front +1 if the pieces are counter-clockwise in the points' projection, else -1
+	// Throws std::bad_alloc. Complexity: see DelaunayFlips.
+	void flip(FaceEdges& edges, const FacePoints& points, int front, Monitor& monitor);
+
 	// Regions are numbered from 0 on, in the order of their first pieces.
 	std::uint32_t regionCount() const { return regionCount_; }
 	std::uint32_t regionOf(std::size_t piece) const { return regionOf_[piece]; }
@@ -44,10 +52,13 @@ private:
 	bool findSides(FaceEdges& edges) const;
 	bool uniteSides(const FaceEdges& edges);
 	void numberRegions();
+	void enterBesideFixed(FaceEdges& edges) const;
 
 	std::uint32_t regionCount_ = 0;
 	std::vector<std::uint32_t> regionOf_;  // per piece; a union-find while they are united
 	std::vector<std::uint32_t> number_;    // per piece, while the regions are numbered
+	std::vector<FreeEdge> freeEdges_;
+	DelaunayFlips flips_;
 };
 
 }  // namespace index_boolean

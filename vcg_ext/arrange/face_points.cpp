@@ -28,6 +28,9 @@ bool FacePoints::collect(const FaceLines& lines) {
 		points_.push_back({segment.begin, 0});
 		points_.push_back({segment.end, 0});
 	}
+	for (const FaceVertex& inside : lines.vertices) {
+		points_.push_back({inside.vertex, 0});
+	}
 	// Of equal ids the entry from the border comes first and stays.
 	std::sort(points_.begin(), points_.end(), [](const FacePoint& a, const FacePoint& b) {
 		return a.id != b.id ? a.id < b.id : a.onEdges > b.onEdges;
@@ -40,6 +43,14 @@ bool FacePoints::collect(const FaceLines& lines) {
 	};
 	points_.erase(std::unique(points_.begin(), points_.end(), isSame), points_.end());
 	return isBorderSimple;
+}
+
+void FacePoints::take(const std::vector<VertexId>& points) {
+	points_.clear();
+	borderCount_ = 0;
+	for (const VertexId v : points) {
+		points_.push_back({v, 0});
+	}
 }
 
 ExactPoint FacePoints::exact(std::uint32_t i) const {
@@ -57,6 +68,20 @@ bool FacePoints::isBefore(std::uint32_t a, std::uint32_t b) const {
 	return order != 0 ? order < 0 : compareCoordinate(p, q, previousCorner(axis_)) < 0;
 }
 
+void FacePoints::findPlaces() {
+	const bool isDouble = arrangement_.options.outputScalar == OutputScalar::Double;
+	places_.clear();
+	for (const std::uint32_t i : order_) {
+		if (isDouble) {
+			places_.push_back({rounded_[i].x.value, rounded_[i].y.value});
+		} else {
+			const Point stored = outputCoordinates(arrangement_, points_[i].id);
+			places_.push_back({stored[static_cast<std::size_t>(nextCorner(axis_))],
+			                   stored[static_cast<std::size_t>(previousCorner(axis_))]});
+		}
+	}
+}
+
 bool FacePoints::rank(int axis) {
 	axis_ = axis;
 	rounded_.clear();
@@ -67,17 +92,22 @@ bool FacePoints::rank(int axis) {
 	order_.resize(points_.size());
 	std::iota(order_.begin(), order_.end(), 0u);
 	const auto before = [this](std::uint32_t a, std::uint32_t b) { return isBefore(a, b); };
-	std::sort(order_.begin(), order_.end(), before);
-	for (std::size_t i = 0; i + 1 < order_.size(); ++i) {
-		if (!before(order_[i], order_[i + 1])) {
-			return false;
+	bool areApart = true;
+	std::sort(order_.begin(), order_.end(), [&](std::uint32_t a, std::uint32_t b) {
+		if (points_[a].id == points_[b].id) {
+			return a < b;
 		}
+		return before(a, b);
+	});
+	for (std::size_t i = 0; i + 1 < order_.size(); ++i) {
+		areApart = areApart && before(order_[i], order_[i + 1]);
 	}
 	rankOf_.resize(order_.size());
 	for (std::uint32_t rank = 0; rank < order_.size(); ++rank) {
 		rankOf_[order_[rank]] = rank;
 	}
-	return true;
+	findPlaces();
+	return areApart;
 }
 
 int FacePoints::exactOrientation(std::uint32_t i, std::uint32_t j, std::uint32_t k) const {

@@ -83,7 +83,10 @@ bool FaceCutter::findPieces(const EulerCounts& counts) {
 	if (!edges_.fix(arrangement_, lines_, points_, counts.edges)) {
 		return false;
 	}
-	edges_.required(lines_, points_, required_);
+	required_.clear();
+	for (const FaceEdge& edge : edges_.fixed()) {
+		required_.push_back(edge.ranks);
+	}
 	const auto pointCount = static_cast<std::uint32_t>(points_.size());
 	if (!sweep_.triangulate(pointCount, required_, points_, monitor_, pieces_.triangles)) {
 		return false;
@@ -112,6 +115,7 @@ Failure FaceCutter::cut(FaceId face) {
 	if (!findPieces(counts)) {
 		return refused;
 	}
+	pieces_.flip(edges_, points_, seenFromBehind_ ? -1 : 1, monitor_);
 	out_.append(arrangement_, face, points_, edges_, pieces_);
 	return {};
 }

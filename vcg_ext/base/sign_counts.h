@@ -19,8 +19,10 @@ enum class Predicate : std::uint8_t {
 	CurveOrder,     // two points, some of the curve, along an axis
 	Slopes,         // of two planes
 	Rounding,       // the coordinates of a point of the curve
+	AxisOrder,      // two components of a normal
+	InCircle,       // four places, projected
 };
-constexpr std::size_t kPredicateCount = 7;
+constexpr std::size_t kPredicateCount = 9;
 
 // Undecided: a filter that may pass its question on, and did.
 enum class DecidedBy : std::uint8_t { Double, DoubleDouble, Integers, Undecided };

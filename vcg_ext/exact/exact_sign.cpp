@@ -538,29 +538,56 @@ int planeOrder(const std::array<const Point*, 3>& a, const std::array<const Poin
 	});
 }
 
-int projectionAxis(const Triangle& triangle, const Points& points, int& sign) {
-	std::array<const Point*, 3> corners{&at(points, triangle[0]), &at(points, triangle[1]),
-	                                    &at(points, triangle[2])};
-	std::sort(corners.begin(), corners.end(),
-	          [](const Point* a, const Point* b) { return *a < *b; });
-	std::array<double, 3> size = RoundedNormal(*corners[0], *corners[1], *corners[2]).value;
-	for (double& component : size) {
-		// NaN, from overflow, must not reach the sort: it counts as zero.
-		component = std::fmax(0.0, std::fabs(component));
+namespace {
+
+// Compares the sizes of two components of a normal: -1, 0, +1.
+int compareSizes(const std::array<const Point*, 3>& t, int axis, int other) {
+	const int sign = orient2d(*t[0], *t[1], *t[2], axis);
+	const int otherSign = orient2d(*t[0], *t[1], *t[2], other);
+	if (sign == 0 || otherSign == 0) {
+		return std::abs(sign) - std::abs(otherSign);
 	}
-	std::array<int, 3> axes{0, 1, 2};
-	std::sort(axes.begin(), axes.end(), [&size](int i, int j) {
-		const double a = size[static_cast<std::size_t>(i)], b = size[static_cast<std::size_t>(j)];
-		return a != b ? a > b : i < j;
+	const int order = decideSign(Predicate::AxisOrder, [&](auto number) {
+		using N = typename decltype(number)::Type;
+		const N mine = orient2dValue<N>(*t[0], *t[1], *t[2], axis);
+		const N others = orient2dValue<N>(*t[0], *t[1], *t[2], other);
+		return (sign == otherSign ? mine - others : mine + others).sign();
 	});
-	for (const int axis : axes) {
-		sign = orient2d(at(points, triangle[0]), at(points, triangle[1]), at(points, triangle[2]),
-		                axis);
-		if (sign != 0) {
-			return axis;
+	return signProduct(order, sign);
+}
+
+// The axis as far as rounded numbers tell, or -1. See RoundedNormal::isCertain for the bound.
+int certainAxis(const RoundedNormal& normal) {
+	std::array<double, 3> least{}, most{};  // that the size of each component can be
+	for (std::size_t k = 0; k < 3; ++k) {
+		const double bound = 8 * kRoundoff * normal.size[k] + kUnderflow;
+		least[k] = std::fabs(normal.value[k]) - bound;
+		most[k] = std::fabs(normal.value[k]) + bound;
+	}
+	for (std::size_t k = 0; k < 3; ++k) {
+		if (least[k] > most[(k + 1) % 3] && least[k] > most[(k + 2) % 3]) {
+			return static_cast<int>(k);
 		}
 	}
 	return -1;
+}
+
+}  // namespace
+
+int projectionAxis(const Triangle& triangle, const Points& points, int& sign) {
+	const std::array<const Point*, 3> corners{&at(points, triangle[0]), &at(points, triangle[1]),
+	                                          &at(points, triangle[2])};
+	const RoundedNormal normal(*corners[0], *corners[1], *corners[2]);
+	if (const int axis = certainAxis(normal); axis >= 0) {
+		sign = normal.value[static_cast<std::size_t>(axis)] > 0 ? 1 : -1;
+		return axis;
+	}
+	int axis = 0;
+	for (const int other : {1, 2}) {
+		axis = compareSizes(corners, other, axis) > 0 ? other : axis;
+	}
+	sign = orient2d(*corners[0], *corners[1], *corners[2], axis);
+	return sign != 0 ? axis : -1;
 }
 
 }  // namespace index_boolean

@@ -154,9 +154,9 @@ int orient2d(const PlanarPoint& a, const PlanarPoint& b, const PlanarPoint& c);
 int planeOrder(const std::array<const Point*, 3>& a, const std::array<const Point*, 3>& b,
                const ExactPoint& p, int axis);
 
-// The axis along which a triangle is projected: that of the largest component of its normal, as
-// computed from its corners in lexicographic order, so that it depends on the corners only.
-// Writes the exact, non-zero sign of that component. \pre the triangle has area
+// The axis along which a triangle is projected: that of its normal's largest component, the first
+// of equal ones. So it is a function of the triangle's plane: coplanar faces have the same.
+// Writes the exact, non-zero sign of that component. \pre the triangle has area; else -1
 int projectionAxis(const Triangle& triangle, const Points& points, int& sign);
 
 }  // namespace index_boolean

@@ -27,12 +27,11 @@
 // small, but the same in every numbering.
 #include "vcg_ext/solids/merge_fragments.h"
 
-#include "vcg_ext/arrange/joined_polygons.h"
 #include "vcg_ext/arrange/places.h"
-#include "vcg_ext/base/edge_table.h"
+#include "vcg_ext/base/groups.h"
 #include "vcg_ext/base/parallel.h"
-#include "vcg_ext/base/union_find.h"
 #include "vcg_ext/exact/coordinate_hash.h"
+#include "vcg_ext/solids/face_groups.h"
 #include "vcg_ext/solids/star_polygon.h"
 
 #include <algorithm>
@@ -76,10 +75,7 @@ public:
 private:
 	void listCandidates();
 	void collectFaces();
-	void groupByParent();
-	void groupByPlane();
-	std::array<std::uint32_t, 2> classOf(FaceId face) const;
-	bool coplanar(std::uint32_t f, std::uint32_t g) const;
+	void groupFaces();
 	bool liesInPolygon(VertexId v) const;
 	void keepCopies();
 	void sortCandidates();
@@ -187,54 +183,14 @@ void Merger::collectFaces() {
 	}
 }
 
-// Faces of a polygon that lie in one plane count as one input face.
-void Merger::groupByParent() {
-	const std::vector<FaceId>& flat = arrangement_.polygons.flat;
-	for (StarFace& face : faces_) {
-		const FaceSource& source = block_.faceSource[face.origin];
-		const FaceId parent = flat.empty() ? source.face : at(flat, source.face);
-		face.group = 2 * parent.value + (source.turned ? 1 : 0);
+void Merger::groupFaces() {
+	std::vector<std::uint32_t> origins;
+	for (const StarFace& face : faces_) {
+		origins.push_back(face.origin);
 	}
-}
-
-// What the face must have in common with others to become one with them; see MeshArrays.
-std::array<std::uint32_t, 2> Merger::classOf(FaceId face) const {
-	const OperandId operand = mesh_.operandOf(face);
-	const std::vector<std::uint32_t>& classes = mesh_.faceClass[operand];
-	return classes.empty() ? std::array{0u, 0u}
-	                       : std::array{1u, classes[arrangement_.givenFace(face)]};
-}
-
-// Whether two neighbouring faces lie in one plane, with fronts to the same side, and may be one.
-bool Merger::coplanar(std::uint32_t f, std::uint32_t g) const {
-	const FaceSource& a = sourceOf(f);
-	const FaceSource& b = sourceOf(g);
-	if (a.face == b.face) {
-		return a.turned == b.turned;
-	}
-	if (classOf(a.face) != classOf(b.face)) {
-		return false;
-	}
-	const int front = commonFront(mesh_, a.face, b.face);
-	return front != 0 && (front > 0) == (a.turned == b.turned);
-}
-
-void Merger::groupByPlane() {
-	std::vector<HalfEdge> halfEdges;
+	const std::vector<std::uint32_t> groups = groupsOf(arrangement_, block_, origins);
 	for (std::size_t f = 0; f < faces_.size(); ++f) {
-		const IndexTriangle& t = faces_[f].corners;
-		for (std::size_t i = 0; i < 3; ++i) {
-			halfEdges.push_back(makeHalfEdge(t[i], t[i == 2 ? 0 : i + 1], f, i));
-		}
-	}
-	UnionFind planes(faces_.size());
-	forEachEdge(halfEdges, [&](auto first, auto last) {
-		if (last - first == 2 && coplanar(first[0].face, first[1].face)) {
-			planes.unite(first[0].face, first[1].face);
-		}
-	});
-	for (std::uint32_t f = 0; f < faces_.size(); ++f) {
-		faces_[f].group = planes.find(f);
+		faces_[f].group = groups[f];
 	}
 }
 
@@ -464,11 +420,7 @@ Status Merger::run() {
 		return status;
 	}
 	collectFaces();
-	if (wholeBlock()) {
-		groupByPlane();
-	} else {
-		groupByParent();
-	}
+	groupFaces();
 	originalCount_ = faces_.size();
 	removed_.assign(block_.points.size(), 0);
 	sortCandidates();

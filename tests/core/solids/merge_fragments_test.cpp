@@ -68,7 +68,9 @@ TEST(MergeFragments, cutsStayWhereNotAskedFor) {
 	EXPECT_GT(r.blocks[kFirstOnly].triangles.size(), 12u);
 }
 
-TEST(MergeFragments, aVertexThatTouchesAFaceFromOutsideLeavesNoTrace) {
+// It is a vertex of both where both are kept: else the face would have a point in common with the
+// other solid that is no vertex of it, and the block would meet itself.
+TEST(MergeFragments, aVertexThatTouchesAFaceFromOutsideIsOneOfBoth) {
 	Mesh tetrahedron;
 	tetrahedron.points = {{2, 1.5, 4}, {1, 1, 6}, {3, 1, 6}, {2, 3, 6}};
 	tetrahedron.triangles = {{0, 2, 1}, {0, 3, 2}, {0, 1, 3}, {1, 2, 3}};
@@ -76,7 +78,10 @@ TEST(MergeFragments, aVertexThatTouchesAFaceFromOutsideLeavesNoTrace) {
 	const BooleanRun r = run(large, tetrahedron);
 	ASSERT_TRUE(r.status.ok()) << describe(r.status);
 	EXPECT_EQ(geometry(r.blocks[kFirstOnly]), geometryOf(large));
-	EXPECT_EQ(geometry(r.blocks[kUnion]), geometryOf(joined(large, tetrahedron)));
+	EXPECT_EQ(geometry(r.blocks[kSecondOnly]), geometryOf(tetrahedron));
+	const Block& both = r.blocks[kUnion];
+	EXPECT_EQ(both.triangles.size(), 12u + 4u + 2u);
+	EXPECT_EQ(std::count(both.points.begin(), both.points.end(), tetrahedron.points[0]), 2);
 	EXPECT_EQ(r.audit.blocks[kUnion].components, 2u);
 }
 

@@ -1,0 +1,175 @@
+// SPDX-FileCopyrightText: 2026 The Index Boolean authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+//        c              Wanted: d lies inside the circle through a, b and c.
+//      / | \            Legal: the way a, d, b, c turns left at a, and at b.
+//    a - + - b   ->  a  |  b    The edge keeps its number; its sides are looked at again.
+//      \ | /
+//        d
+//
+// Why it ends: lift each place to the paraboloid (its height the square of its distance from the
+// origin). The volume under the lifted triangles, each counted as its projected area is signed, is
+// changed by a flip by a sixth of the in-circle determinant, whichever way the stored triangles are
+// turned: it is an identity of polynomials. A wanted flip lowers the volume; where the determinant
+// is zero, the perturbed heights do. So no state comes back, and there are finitely many.
+//
+// Why it is the same for everybody: edges are looked at first in the order of their ends, then in
+// the order in which they were queued; the sides of a flipped quad are queued in the order of their
+// ends. Nothing depends on the numbers of triangles or edges, and nothing passes a fixed edge. The
+// order of ends is that of ranks: two faces in one plane that have the same points in a region rank
+// them alike.
+#include "vcg_ext/exact/delaunay_flips.h"
+
+#include "vcg_ext/base/ids.h"
+#include "vcg_ext/base/parallel.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace index_boolean {
+
+namespace {
+
+bool isBefore(const PlanarEdge& e, const PlanarEdge& f) {
+	return e.left != f.left ? e.left < f.left : e.right < f.right;
+}
+
+PlanarEdge edgeBetween(std::uint32_t a, std::uint32_t b) {
+	return {std::min(a, b), std::max(a, b)};
+}
+
+// The corner at which a triangle's side with these ends begins.
+std::size_t sideOf(const std::array<std::uint32_t, 3>& t, const PlanarEdge& ends) {
+	std::size_t side = 0;
+	while (side < 2 && (t[(side + 2) % 3] == ends.left || t[(side + 2) % 3] == ends.right)) {
+		++side;
+	}
+	return side;
+}
+
+}  // namespace
+
+// Enters each edge into both of its triangles.
+void DelaunayFlips::link(const std::vector<FreeEdge>& edges, std::size_t triangleCount) {
+	edgeOf_.assign(triangleCount, {kNone, kNone, kNone});
+	for (std::uint32_t e = 0; e < edges.size(); ++e) {
+		for (const std::uint32_t t : edges[e].triangles) {
+			edgeOf_[t][sideOf((*triangles_)[t], edges[e].ends)] = e;
+		}
+	}
+}
+
+// The first triangle is the one whose opposite corner has the lower rank.
+DelaunayFlips::Quad DelaunayFlips::quadOf(const FreeEdge& edge, std::uint32_t index) const {
+	Quad q{};
+	std::array<std::size_t, 2> side{};
+	std::array<std::uint32_t, 2> triangle = edge.triangles, opposite{};
+	for (std::size_t i = 0; i < 2; ++i) {
+		const auto& edges = edgeOf_[triangle[i]];
+		side[i] = edges[0] == index ? 0 : (edges[1] == index ? 1 : 2);
+		opposite[i] = (*triangles_)[triangle[i]][(side[i] + 2) % 3];
+	}
+	if (opposite[0] > opposite[1]) {
+		std::swap(side[0], side[1]);
+		std::swap(triangle[0], triangle[1]);
+		std::swap(opposite[0], opposite[1]);
+	}
+	q.first = triangle[0];
+	q.second = triangle[1];
+	q.a = (*triangles_)[q.first][side[0]];
+	q.b = (*triangles_)[q.second][side[1]];
+	q.c = opposite[0];
+	q.d = opposite[1];
+	q.bc = edgeOf_[q.first][(side[0] + 1) % 3];
+	q.ca = edgeOf_[q.first][(side[0] + 2) % 3];
+	q.ad = edgeOf_[q.second][(side[1] + 1) % 3];
+	q.db = edgeOf_[q.second][(side[1] + 2) % 3];
+	return q;
+}
+
+bool DelaunayFlips::isWanted(const Quad& q) const {
+	const std::vector<PlanarPlace>& at = *places_;
+	return front_ * inCirclePerturbed({at[q.a], at[q.b], at[q.c], at[q.d]}, {q.a, q.b, q.c, q.d}) >
+	       0;
+}
+
+bool DelaunayFlips::isLegal(const Quad& q) const {
+	return front_ * (*orientation_)(q.a, q.d, q.c) > 0 &&
+	       front_ * (*orientation_)(q.d, q.b, q.c) > 0;
+}
+
+// A side that has come from one triangle to another.
+void DelaunayFlips::moveSide(std::uint32_t side, std::uint32_t from, std::uint32_t to) {
+	if (side != kNone) {
+		auto& beside = (*edges_)[side].triangles;
+		(beside[0] == from ? beside[0] : beside[1]) = to;
+	}
+}
+
+void DelaunayFlips::flip(const Quad& q, std::uint32_t index) {
+	const bool aIsLower = q.a < q.b;  // the first triangle becomes that at the lower end
+	const std::uint32_t atA = aIsLower ? q.first : q.second, atB = aIsLower ? q.second : q.first;
+	(*triangles_)[atA] = {q.a, q.d, q.c};
+	edgeOf_[atA] = {q.ad, index, q.ca};
+	(*triangles_)[atB] = {q.d, q.b, q.c};
+	edgeOf_[atB] = {q.db, q.bc, index};
+	(*edges_)[index].ends = edgeBetween(q.c, q.d);
+	moveSide(q.ca, q.first, atA);
+	moveSide(q.bc, q.first, atB);
+	moveSide(q.ad, q.second, atA);
+	moveSide(q.db, q.second, atB);
+}
+
+void DelaunayFlips::enqueueSides(const Quad& q) {
+	const auto endsOf = [this](std::uint32_t e) {
+		return e == kNone ? PlanarEdge{kNone, kNone} : (*edges_)[e].ends;
+	};
+	std::array<std::uint32_t, 4> sides{q.ad, q.db, q.bc, q.ca};
+	std::sort(sides.begin(), sides.end(), [&endsOf](std::uint32_t e, std::uint32_t f) {
+		return isBefore(endsOf(e), endsOf(f));
+	});
+	for (const std::uint32_t side : sides) {
+		if (side != kNone && isQueued_[side] == 0) {
+			queue_.push_back(side);
+			isQueued_[side] = 1;
+		}
+	}
+}
+
+std::size_t DelaunayFlips::run(std::vector<FreeEdge>& edges, const std::vector<PlanarPlace>& places,
+                               int front, const PlanarOrientation& orientation, Monitor& monitor,
+                               RankTriangles& triangles) {
+	constexpr std::size_t kEdgesAPoll = 4096;
+	edges_ = &edges;
+	triangles_ = &triangles;
+	places_ = &places;
+	orientation_ = &orientation;
+	front_ = front;
+	std::sort(edges.begin(), edges.end(),
+	          [](const FreeEdge& e, const FreeEdge& f) { return isBefore(e.ends, f.ends); });
+	link(edges, triangles.size());
+	queue_.resize(edges.size());
+	std::iota(queue_.begin(), queue_.end(), 0u);
+	isQueued_.assign(edges.size(), 1);
+	std::size_t flips = 0, looked = 0;
+	for (std::size_t head = 0; head < queue_.size(); ++head) {
+		if (++looked % kEdgesAPoll == 0 && pollCancelled(monitor)) {
+			return flips;
+		}
+		const std::uint32_t index = queue_[head];
+		isQueued_[index] = 0;
+		const Quad quad = quadOf(edges[index], index);
+		if (isWanted(quad) && isLegal(quad)) {
+			flip(quad, index);
+			enqueueSides(quad);
+			++flips;
+		}
+		if (head > kEdgesAPoll && 2 * head > queue_.size()) {  // done: no more of it is kept
+			queue_.erase(queue_.begin(), queue_.begin() + static_cast<std::ptrdiff_t>(head) + 1);
+			head = static_cast<std::size_t>(-1);
+		}
+	}
+	return flips;
+}
+
+}  // namespace index_boolean
