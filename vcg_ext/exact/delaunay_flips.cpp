@@ -121,17 +121,30 @@ void DelaunayFlips::flip(const Quad& q, std::uint32_t index) {
 }
 
 void DelaunayFlips::enqueueSides(const Quad& q) {
-	const auto endsOf = [this](std::uint32_t e) {
-		return e == kNone ? PlanarEdge{kNone, kNone} : (*edges_)[e].ends;
+	struct Side {
+		std::uint64_t ends;
+		std::uint32_t edge;
 	};
-	std::array<std::uint32_t, 4> sides{q.ad, q.db, q.bc, q.ca};
-	std::sort(sides.begin(), sides.end(), [&endsOf](std::uint32_t e, std::uint32_t f) {
-		return isBefore(endsOf(e), endsOf(f));
-	});
-	for (const std::uint32_t side : sides) {
-		if (side != kNone && isQueued_[side] == 0) {
-			queue_.push_back(side);
-			isQueued_[side] = 1;
+	const auto sideOfEdge = [this](std::uint32_t e) {
+		const PlanarEdge ends = e == kNone ? PlanarEdge{kNone, kNone} : (*edges_)[e].ends;
+		return Side{std::uint64_t{ends.left} << 32 | ends.right, e};
+	};
+	std::array<Side, 4> sides{sideOfEdge(q.ad), sideOfEdge(q.db), sideOfEdge(q.bc),
+	                          sideOfEdge(q.ca)};
+	const auto order = [&sides](std::size_t i, std::size_t j) {
+		if (sides[j].ends < sides[i].ends) {
+			std::swap(sides[i], sides[j]);
+		}
+	};
+	order(0, 1);
+	order(2, 3);
+	order(0, 2);
+	order(1, 3);
+	order(1, 2);
+	for (const Side& side : sides) {
+		if (side.edge != kNone && isQueued_[side.edge] == 0) {
+			queue_.push_back(side.edge);
+			isQueued_[side.edge] = 1;
 		}
 	}
 }

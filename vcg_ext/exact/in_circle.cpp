@@ -9,6 +9,7 @@
 #include "vcg_ext/exact/exact_number.h"
 
 #include <algorithm>
+#include <cmath>
 #include <type_traits>
 
 namespace index_boolean {
@@ -47,11 +48,37 @@ int orientation(const PlanarPlace& a, const PlanarPlace& b, const PlanarPlace& c
 	});
 }
 
+// The sign as far as plain doubles tell, or kUnknownSign. With u the unit roundoff, the determinant
+// errs by less than (10 + 96 u) u times the sum of its terms' sizes (Shewchuk 1997), but for
+// underflow. The conditions see to that: a product's underflow, below 2^-1073, is multiplied by
+// less than 2^302 in all; that is below u times the least size admitted, and the factor 16 has room
+// for it. They are false for infinities and NaN.
+int inCircleByDoubles(const PlanarPlace& a, const PlanarPlace& b, const PlanarPlace& c,
+                      const PlanarPlace& d) {
+	constexpr double kMostHeight = 0x1p300, kLeastSize = 0x1p-700;
+	const double px = a[0] - d[0], py = a[1] - d[1], qx = b[0] - d[0], qy = b[1] - d[1],
+	             rx = c[0] - d[0], ry = c[1] - d[1];
+	const double p = px * px + py * py, q = qx * qx + qy * qy, r = rx * rx + ry * ry;
+	const double qr = qx * ry, rq = qy * rx, rp = rx * py, pr = ry * px, pq = px * qy, qp = py * qx;
+	const double value = p * (qr - rq) + q * (rp - pr) + r * (pq - qp);
+	const double size = p * (std::fabs(qr) + std::fabs(rq)) + q * (std::fabs(rp) + std::fabs(pr)) +
+	                    r * (std::fabs(pq) + std::fabs(qp));
+	const bool isInRange = p + q + r < kMostHeight && size > kLeastSize;
+	if (!isInRange || !(std::fabs(value) > 16 * kRoundoff * size)) {
+		return kUnknownSign;
+	}
+	countSign(Predicate::InCircle, DecidedBy::Double);
+	return value > 0 ? 1 : -1;
+}
+
 }  // namespace
 
 int inCircle(const PlanarPlace& a, const PlanarPlace& b, const PlanarPlace& c,
              const PlanarPlace& d) {
-	return decideSign(Predicate::InCircle, [&](auto number) {
+	if (const int sign = inCircleByDoubles(a, b, c, d); sign != kUnknownSign) {
+		return sign;
+	}
+	return decideInDoubt(Predicate::InCircle, [&](auto number) {
 		using N = typename decltype(number)::Type;
 		const Relative<N> p(a, d), q(b, d), r(c, d);
 		return (p.height() * cross(q, r) + q.height() * cross(r, p) + r.height() * cross(p, q))
