@@ -22,10 +22,8 @@ std::size_t index(int i) { return static_cast<std::size_t>(i); }
 // Both faces of a pair with the signs between them. Face 0 is operand 0's.
 class PairSigns {
 public:
-	PairSigns(const MeshArrays& mesh, FacePair pair) : mesh_(mesh), face_{pair.a, pair.b} {
-		corners_[0] = &at(mesh.triangles, pair.a);
-		corners_[1] = &at(mesh.triangles, pair.b);
-	}
+	PairSigns(const Points& points, FacePair pair, const std::array<Triangle, 2>& corners)
+	    : points_(points), face_{pair.a, pair.b}, corners_(corners) {}
 
 	// Takes the signs of a face's corners. False if it lies strictly on one side of the other's
 	// plane: no contact.
@@ -60,10 +58,10 @@ public:
 
 	int side(int face, int corner) const { return side_[index(face)][index(corner)]; }
 	FaceId face(int k) const { return face_[index(k)]; }
-	VertexId corner(int face, int i) const { return (*corners_[index(face)])[index(i)]; }
-	const Point& point(int face, int i) const { return at(mesh_.points, corner(face, i)); }
-	const Triangle& triangle(int face) const { return *corners_[index(face)]; }
-	const MeshArrays& mesh() const { return mesh_; }
+	VertexId corner(int face, int i) const { return corners_[index(face)][index(i)]; }
+	const Point& point(int face, int i) const { return at(points_, corner(face, i)); }
+	const Triangle& triangle(int face) const { return corners_[index(face)]; }
+	const Points& points() const { return points_; }
 
 	// Whether edge i of face 0 and edge j of face 1 have an end in common.
 	bool haveCommonEnd(int i, int j) const {
@@ -112,9 +110,9 @@ private:
 		return corner(face, j) == v || corner(face, nextCorner(j)) == v;
 	}
 
-	const MeshArrays& mesh_;
+	const Points& points_;
 	std::array<FaceId, 2> face_;
-	std::array<const Triangle*, 2> corners_{};
+	const std::array<Triangle, 2>& corners_;
 	std::array<Signs, 2> side_{};
 	std::array<std::array<bool, 3>, 2> common_{};  // per corner: it is one of the other face too
 	std::array<int, 9> edges_{kUnknownSign, kUnknownSign, kUnknownSign, kUnknownSign, kUnknownSign,
@@ -233,7 +231,7 @@ private:
 		int& axis = axis_[index(face)];
 		if (axis < 0) {
 			int sign = 0;
-			axis = projectionAxis(signs_.triangle(face), signs_.mesh().points, sign);
+			axis = projectionAxis(signs_.triangle(face), signs_.points(), sign);
 		}
 		return axis;
 	}
@@ -344,9 +342,15 @@ void addCommonCorners(const PairSigns& signs, PairContact& out) {
 }  // namespace
 
 bool contactOf(const MeshArrays& mesh, FacePair pair, PairContact& out) {
+	return contactOf(mesh.points, pair, {at(mesh.triangles, pair.a), at(mesh.triangles, pair.b)},
+	                 out);
+}
+
+bool contactOf(const Points& points, FacePair pair, const std::array<Triangle, 2>& corners,
+               PairContact& out) {
 	out.generic = false;
 	out.count = 0;
-	PairSigns signs(mesh, pair);
+	PairSigns signs(points, pair, corners);
 	for (int face = 0; face < 2; ++face) {
 		if (!signs.reachesPlane(face)) {
 			return true;

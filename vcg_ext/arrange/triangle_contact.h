@@ -42,6 +42,11 @@ struct Contacts {
 // pair that does. \return false if the signs contradict each other, which exact signs never do
 bool contactOf(const MeshArrays& mesh, FacePair pair, PairContact& out);
 
+// The same for two faces by their corners. \param pair  how names call the faces
+// \pre both have area. Complexity: as above.
+bool contactOf(const Points& points, FacePair pair, const std::array<Triangle, 2>& corners,
+               PairContact& out);
+
 // Finds all contacts.
 // \param pairs sorted by a
 // \param out   in the order of the pairs

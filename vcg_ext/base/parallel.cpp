@@ -110,6 +110,8 @@ FpEnvironmentGuard::~FpEnvironmentGuard() {
 	}
 }
 
+int mostWorkers(int threads) { return threads > 0 ? threads : maxThreads(); }
+
 bool pollCancelled(Monitor& monitor) {
 	if (!helping) {
 		monitor.report(0);
@@ -120,7 +122,7 @@ bool pollCancelled(Monitor& monitor) {
 Status runChunks(std::size_t chunks, int threads, Monitor& monitor, void* context,
                  void (*run)(void* context, std::size_t chunk)) {
 	Run state{chunks, monitor, context, run};
-	const int wanted = threads > 0 ? threads : maxThreads();
+	const int wanted = mostWorkers(threads);
 	if (chunks <= 1 || wanted == 1) {
 		work(state);
 	} else {

@@ -44,6 +44,10 @@ constexpr int threadsForHalves(std::size_t work, int threads) {
 	return work < (std::size_t{1} << 15) ? 1 : threads;
 }
 
+// How many threads at most work on chunks if `threads` are asked for (0: as many as OpenMP gives).
+// For memory alone: results never depend on it. Complexity: O(1).
+int mostWorkers(int threads);
+
 // Calls run(context, chunk) once for each chunk in [0, chunks); see parallelForChunks.
 // \return Ok, Cancelled, OutOfMemory, InternalError. Complexity: that of the chunks.
 Status runChunks(std::size_t chunks, int threads, Monitor& monitor, void* context,
