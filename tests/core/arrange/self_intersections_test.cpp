@@ -3,16 +3,12 @@
 //
 // The search for self-intersections against all pairs of faces in rational arithmetic: what two
 // faces have in common, as a convex polygon, against their common corners.
-// GCC 12 takes the inline storage of Boost's integers for uninitialized where it inlines them.
-#if defined(__GNUC__) && !defined(__clang__)
-#pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
-#endif
 #include "core/shapes.h"
+#include "support/meeting_oracle.h"
 
 #include <vcg_ext/arrange/operands.h>
 #include <vcg_ext/arrange/self_intersections.h>
 
-#include <boost/multiprecision/cpp_int.hpp>
 #include <gtest/gtest.h>
 
 #include <set>
@@ -22,82 +18,15 @@ namespace {
 
 using namespace shapes;
 
-using Rational = boost::multiprecision::cpp_rational;
-using ExactVector = std::array<Rational, 3>;
-using ExactPolygon = std::vector<ExactVector>;
-
-ExactVector minus(const ExactVector& a, const ExactVector& b) {
-	return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
-}
-
-ExactVector cross(const ExactVector& a, const ExactVector& b) {
-	return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-
-Rational dot(const ExactVector& a, const ExactVector& b) {
-	return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
-// What a convex polygon (with two corners a segment, with one a point) has in common with the
-// half-space normal . (x - origin) >= 0.
-ExactPolygon clipped(const ExactPolygon& polygon, const ExactVector& normal,
-                     const ExactVector& origin) {
-	ExactPolygon result;
-	for (std::size_t i = 0; i < polygon.size(); ++i) {
-		const ExactVector& p = polygon[i];
-		const ExactVector& q = polygon[(i + 1) % polygon.size()];
-		const Rational atP = dot(normal, minus(p, origin)), atQ = dot(normal, minus(q, origin));
-		if (atP >= 0) {
-			result.push_back(p);
-		}
-		if ((atP > 0 && atQ < 0) || (atP < 0 && atQ > 0)) {
-			const Rational t = atP / (atP - atQ);
-			const ExactVector d = minus(q, p);
-			result.push_back({p[0] + t * d[0], p[1] + t * d[1], p[2] + t * d[2]});
-		}
-	}
-	return result;
-}
+using namespace oracle;
 
 ExactPolygon exactTriangle(const MeshArrays& mesh, std::size_t face) {
-	ExactPolygon corners;
-	for (const VertexId v : mesh.triangles[face]) {
-		const Point& p = at(mesh.points, v);
-		corners.push_back({Rational(p[0]), Rational(p[1]), Rational(p[2])});
-	}
-	return corners;
-}
-
-ExactPolygon commonPart(const ExactPolygon& s, const ExactPolygon& t) {
-	const ExactVector normal = cross(minus(t[1], t[0]), minus(t[2], t[0]));
-	const ExactVector opposite{-normal[0], -normal[1], -normal[2]};
-	ExactPolygon part = clipped(clipped(s, normal, t[0]), opposite, t[0]);
-	for (std::size_t i = 0; i < 3; ++i) {
-		part = clipped(part, cross(normal, minus(t[(i + 1) % 3], t[i])), t[i]);
-	}
-	return part;
-}
-
-// Whether p lies in the hull of at most two points.
-bool isWithin(const ExactVector& p, const ExactPolygon& hull) {
-	if (hull.size() < 2) {
-		return !hull.empty() && p == hull[0];
-	}
-	const ExactVector toA = minus(hull[0], p), toB = minus(hull[1], p);
-	const ExactVector zero{0, 0, 0};
-	return cross(toA, toB) == zero && dot(toA, toB) <= 0;
+	const Triangle& t = mesh.triangles[face];
+	return oracle::exactTriangle(mesh.points, {t[0].value, t[1].value, t[2].value});
 }
 
 bool meetWrongly(const MeshArrays& mesh, std::size_t a, std::size_t b) {
-	const ExactPolygon s = exactTriangle(mesh, a), t = exactTriangle(mesh, b);
-	ExactPolygon common;
-	std::copy_if(s.begin(), s.end(), std::back_inserter(common), [&t](const ExactVector& corner) {
-		return std::find(t.begin(), t.end(), corner) != t.end();
-	});
-	const ExactPolygon part = commonPart(s, t);
-	return common.size() == 3 || !std::all_of(part.begin(), part.end(), [&](const ExactVector& p) {
-		       return isWithin(p, common);
-	       });
+	return oracle::meetWrongly(exactTriangle(mesh, a), exactTriangle(mesh, b));
 }
 
 // Whether the first two faces that meet wrongly do so at the place, up to rounding.
@@ -298,13 +227,7 @@ Mesh gridTriangles(std::mt19937& random, int width, int height, std::size_t coun
 	while (mesh.triangles.size() < count) {
 		const std::array<std::uint32_t, 3> t{
 		    std::uint32_t(random() % 9), std::uint32_t(random() % 9), std::uint32_t(random() % 9)};
-		ExactPolygon corners;
-		for (const std::uint32_t v : t) {
-			corners.push_back({Rational(mesh.points[v][0]), Rational(mesh.points[v][1]),
-			                   Rational(mesh.points[v][2])});
-		}
-		if (cross(minus(corners[1], corners[0]), minus(corners[2], corners[0])) !=
-		    ExactVector{0, 0, 0}) {
+		if (!isFlat(oracle::exactTriangle(mesh.points, t))) {
 			mesh.triangles.push_back(t);
 		}
 	}

@@ -1,0 +1,141 @@
+// SPDX-FileCopyrightText: 2026 The Index Boolean authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// in: faces; out: pairs. The driver of the search: a frame of floats, stars certified by floats,
+// then by doubles, an order, a pyramid, its descent; what that leaves is judged where it is found.
+#include "vcg_ext/arrange/wrong_pairs.h"
+
+#include "vcg_ext/arrange/near_faces.h"
+#include "vcg_ext/arrange/open_stars.h"
+#include "vcg_ext/arrange/pyramid_descent.h"
+#include "vcg_ext/arrange/unbalanced_vertices.h"
+#include "vcg_ext/base/parallel.h"
+
+#include <algorithm>
+#include <mutex>
+#include <new>
+
+namespace index_boolean {
+
+namespace {
+
+// Lists what it is given.
+class PairList : public WrongPairTaker {
+public:
+	void take(FacePair pair) override {
+		const std::lock_guard<std::mutex> lock(mutex_);
+		pairs_.push_back(pair);
+	}
+
+	// All pairs in order, each once. \param name the index by which a face is called
+	template <class NameOf>
+	std::vector<FacePair> sorted(NameOf&& nameOf) {
+		for (FacePair& pair : pairs_) {
+			pair = {{nameOf(pair.a.value)}, {nameOf(pair.b.value)}};
+		}
+		std::sort(pairs_.begin(), pairs_.end(), [](const FacePair& p, const FacePair& q) {
+			return p.a != q.a ? p.a < q.a : p.b < q.b;
+		});
+		pairs_.erase(std::unique(pairs_.begin(), pairs_.end()), pairs_.end());
+		return std::move(pairs_);
+	}
+
+private:
+	std::mutex mutex_;
+	std::vector<FacePair> pairs_;
+};
+
+// What is to be done with a surface.
+struct SearchTask {
+	const WrongPairOptions& options;
+	const std::vector<std::uint8_t>* isSuspect;  // as of SearchedSurface
+};
+
+Status search(const FacesView& faces, const SearchTask& task, Monitor& monitor,
+              WrongPairTaker& taker, std::vector<std::uint32_t>& flatFaces) {
+	flatFaces.clear();
+	if (faces.count() == 0) {
+		return {};
+	}
+	SearchedSurface surface{faces, task.options.threads, task.isSuspect, {}, {}, {}};
+	PairJudge judge(faces, monitor, taker);
+	WordsLeave left;
+	FaceOrder order;
+	BoxPyramid pyramid;
+	Status status = inOrder([&] { return placeInFrame(surface, monitor); },
+	                        [&] {
+		                        return task.options.isBalanced
+		                                   ? Status{}
+		                                   : findUnbalancedVertices(surface, monitor);
+	                        },
+	                        [&] { return certifyStars(surface, monitor, left); },
+	                        [&] { return closeStars(left.openStars, monitor, judge, surface); },
+	                        [&] { return orderFaces(surface, monitor, order); },
+	                        [&] { return buildPyramid(surface, order, monitor, pyramid); },
+	                        [&] { return descendPyramid(surface, pyramid, monitor, judge); });
+	if (status.ok() && judge.sawContradiction()) {
+		status.code = StatusCode::InternalError;
+	}
+	std::copy_if(left.flatFaces.begin(), left.flatFaces.end(), std::back_inserter(flatFaces),
+	             [&surface](std::uint32_t face) { return surface.suspects(face); });
+	return status;
+}
+
+// The search among the suspect faces and those near them.
+Status searchAmong(const FacesView& faces, const std::vector<std::uint8_t>& isSuspect,
+                   const WrongPairOptions& options, Monitor& monitor, WrongPairs& out) {
+	std::vector<std::uint32_t> near;
+	const Status status = findNearFaces(faces, isSuspect, options.threads, monitor, near);
+	if (!status.ok()) {
+		return status;
+	}
+	FacesApart apart;
+	copyFaces(faces, near, apart);
+	std::vector<std::uint8_t> isSuspectApart(near.size());
+	std::transform(near.begin(), near.end(), isSuspectApart.begin(),
+	               [&isSuspect](std::uint32_t face) { return isSuspect[face]; });
+	PairList list;
+	const FacesView view(apart.points, apart.triangles.data(), apart.triangles.size());
+	const Status searched = search(view, {options, &isSuspectApart}, monitor, list, out.flatFaces);
+	const auto nameOf = [&near](std::uint32_t face) { return near[face]; };
+	out.pairs = list.sorted(nameOf);
+	std::transform(out.flatFaces.begin(), out.flatFaces.end(), out.flatFaces.begin(), nameOf);
+	return searched;
+}
+
+// Runs a step without a guard against lack of memory outside of its parallel regions.
+template <class Step>
+Status guarded(Step&& step) {
+	const FpEnvironmentGuard environment;
+	try {
+		return step();
+	} catch (const std::bad_alloc&) {
+		return statusOf(StatusCode::OutOfMemory);
+	}
+}
+
+}  // namespace
+
+Status findWrongPairs(const FacesView& faces, const WrongPairOptions& options, Monitor& monitor,
+                      WrongPairs& out) {
+	out = {};
+	return guarded([&] {
+		PairList list;
+		const Status status = search(faces, {options, nullptr}, monitor, list, out.flatFaces);
+		out.pairs = list.sorted([](std::uint32_t face) { return face; });
+		return status;
+	});
+}
+
+Status findWrongPairsAmong(const FacesView& faces, const std::vector<std::uint8_t>& isSuspect,
+                           const WrongPairOptions& options, Monitor& monitor, WrongPairs& out) {
+	out = {};
+	return guarded([&] { return searchAmong(faces, isSuspect, options, monitor, out); });
+}
+
+Status visitWrongPairs(const FacesView& faces, const WrongPairOptions& options, Monitor& monitor,
+                       WrongPairTaker& taker, std::vector<std::uint32_t>& flatFaces) {
+	return guarded([&] { return search(faces, {options, nullptr}, monitor, taker, flatFaces); });
+}
+
+}  // namespace index_boolean
