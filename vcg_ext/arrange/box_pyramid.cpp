@@ -27,8 +27,13 @@ void makeEmpty(EightBoxes& boxes, std::size_t lane) {
 // Makes the box around eight boxes a lane of others.
 void joinBoxes(const EightBoxes& boxes, EightBoxes& out, std::size_t lane) {
 	for (std::size_t axis = 0; axis < 3; ++axis) {
-		out.lo[axis][lane] = *std::min_element(boxes.lo[axis].begin(), boxes.lo[axis].end());
-		out.hi[axis][lane] = *std::max_element(boxes.hi[axis].begin(), boxes.hi[axis].end());
+		float lo = kInfinity, hi = -kInfinity;
+		for (std::size_t i = 0; i < 8; ++i) {
+			lo = boxes.lo[axis][i] < lo ? boxes.lo[axis][i] : lo;
+			hi = boxes.hi[axis][i] > hi ? boxes.hi[axis][i] : hi;
+		}
+		out.lo[axis][lane] = lo;
+		out.hi[axis][lane] = hi;
 	}
 }
 
@@ -49,22 +54,19 @@ struct LeafSource {
 	const SearchedSurface& surface;
 	const FaceOrder& order;
 
-	void make(std::size_t group, FaceLeaf& out) const {
+	void make(std::size_t leaf, FaceLeaf& out) const {
 		const FacesView& faces = surface.faces;
-		const FramePoints& points = surface.points;
-		const std::size_t first = order.first(group);
+		const std::size_t first = 8 * leaf;
 		const std::size_t count = std::min<std::size_t>(8, faces.count() - first);
 		EightFaces eight;
 		gatherEight(
-		    faces, points, count, [&](std::size_t lane) { return order.face(first + lane); },
-		    eight);
+		    faces, surface.points, count,
+		    [&](std::size_t lane) { return order.face(first + lane); }, eight);
 		setBoxes(eight, out.boxes);
+		out.stars = eight.star;
 		for (std::size_t lane = 0; lane < 8; ++lane) {
 			const bool isFace = lane < count;
 			out.faces[lane] = isFace ? order.face(first + lane) : kNone;
-			for (std::size_t corner = 0; corner < 3; ++corner) {
-				out.stars[corner][lane] = points[eight.vertex[corner][lane]].star;
-			}
 			if (!isFace || surface.flat(out.faces[lane])) {
 				makeEmpty(out.boxes, lane);
 			}

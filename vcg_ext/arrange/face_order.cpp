@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Index Boolean authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// in: faces; out: them, or groups of eight, sorted by the Morton code of where they lie. A radix
-// sort, stable and by slices, of which each thread has one.
+// in: faces; out: them, sorted by the Morton code of where they lie. A radix sort, stable and by
+// slices, of which each thread has one.
 // Source: Morton 1966; Lauterbach et al. 2009 (boxes of boxes over sorted codes).
 #include "vcg_ext/arrange/face_order.h"
 
@@ -18,45 +18,6 @@ namespace {
 
 constexpr std::size_t kGrain = 1 << 14;
 
-struct FloatBox {
-	std::array<float, 3> lo{2, 2, 2}, hi{-2, -2, -2};
-
-	void add(const std::array<float, 3>& p) {
-		for (std::size_t axis = 0; axis < 3; ++axis) {
-			lo[axis] = std::min(lo[axis], p[axis]);
-			hi[axis] = std::max(hi[axis], p[axis]);
-		}
-	}
-	float size() const { return (hi[0] - lo[0]) + (hi[1] - lo[1]) + (hi[2] - lo[2]); }
-};
-
-void addFace(const FacesView& faces, const FramePoints& points, std::size_t face, FloatBox& box) {
-	for (const std::uint32_t v : faces[face]) {
-		box.add(points[v].place);
-	}
-}
-
-// Whether the boxes of eight faces that follow each other are, in a sample, less than so many times
-// as large as those of the faces: eight faces side by side have about three times their size.
-bool liesTogether(const FacesView& faces, const FramePoints& points) {
-	constexpr double kTimes = 3.6;
-	constexpr std::size_t kSample = 256;
-	const std::size_t groups = faces.count() / 8;
-	double single = 0, together = 0;
-	for (std::size_t k = 0; k < std::min(groups, kSample); ++k) {
-		const std::size_t first = groups <= kSample ? 8 * k : groups / kSample * k * 8;
-		FloatBox all;
-		for (std::size_t face = first; face < first + 8; ++face) {
-			FloatBox box;
-			addFace(faces, points, face, box);
-			addFace(faces, points, face, all);
-			single += box.size();
-		}
-		together += 8 * all.size();
-	}
-	return together <= kTimes * single;
-}
-
 // Moves each of the low 10 bits of a number to three times its place.
 std::uint32_t spread(std::uint32_t x) {
 	x = (x | x << 16U) & 0x030000ffU;
@@ -65,19 +26,22 @@ std::uint32_t spread(std::uint32_t x) {
 	return (x | x << 2U) & 0x09249249U;
 }
 
-// The code of the middle of a face's box, with 2^bits cells along each axis of the frame.
-std::uint64_t codeOf(const FacesView& faces, const FramePoints& points, std::size_t face,
-                     unsigned bits) {
-	FloatBox box;
-	addFace(faces, points, face, box);
+// The codes of the middles of eight faces' boxes, with 2^bits cells along each axis of the frame.
+void findCodes(const EightFaces& eight, unsigned bits, std::array<std::uint32_t, 8>& out) {
+	out.fill(0);
 	const float cells = static_cast<float>(1U << bits) / 4;
-	std::uint32_t code = 0;
+	const auto last = static_cast<float>((1U << bits) - 1);
 	for (unsigned axis = 0; axis < 3; ++axis) {
-		const float middle = (box.lo[axis] + box.hi[axis] + 2) * cells;
-		const auto cell = std::min(static_cast<std::uint32_t>(middle), (1U << bits) - 1);
-		code |= spread(cell) << axis;
+		for (std::size_t i = 0; i < 8; ++i) {
+			const float a = eight.place[0][axis][i], b = eight.place[1][axis][i],
+			            c = eight.place[2][axis][i];
+			const float lo = a < b ? a : b, hi = a < b ? b : a;
+			const float twiceTheMiddle = (c < lo ? c : lo) + (c > hi ? c : hi);
+			const float cell = (twiceTheMiddle + 2) * cells;
+			const auto whole = static_cast<std::int32_t>(cell < last ? cell : last);
+			out[i] |= spread(static_cast<std::uint32_t>(whole)) << axis;
+		}
 	}
-	return code;
 }
 
 // Cells small enough that few faces have one code, in as few passes as that takes.
@@ -122,20 +86,25 @@ Status sortByDigit(const HugeVector<std::uint64_t>& from, unsigned shift, int th
 }  // namespace
 
 Status orderFaces(const SearchedSurface& surface, Monitor& monitor, FaceOrder& out) {
-	const FacesView& faces = surface.faces;
-	const FramePoints& points = surface.points;
-	out.asGiven = liesTogether(faces, points);
-	const std::size_t step = out.asGiven ? 8 : 1;
-	const unsigned bits = bitsFor(faces.count());
-	out.items.resizeForOverwrite(chunkCount(faces.count(), step));
-	Status status = parallelFor(out.items.size(), kGrain, surface.threads, monitor,
-	                            [&](std::size_t begin, std::size_t end) {
-		                            for (std::size_t i = begin; i < end; ++i) {
-			                            out.items[i] =
-			                                codeOf(faces, points, step * i, bits) << 32U | i;
-		                            }
-	                            });
-	auto other = HugeVector<std::uint64_t>::forOverwrite(out.items.size());
+	const std::size_t count = surface.faces.count();
+	const unsigned bits = bitsFor(count);
+	const auto setItems = [&](std::size_t first, std::size_t end) {
+		EightFaces eight;
+		std::array<std::uint32_t, 8> codes;
+		for (std::size_t face = first; face < end; face += 8) {
+			const std::size_t few = std::min<std::size_t>(8, end - face);
+			gatherEight(
+			    surface.faces, surface.points, few, [face](std::size_t i) { return face + i; },
+			    eight);
+			findCodes(eight, bits, codes);
+			for (std::size_t i = 0; i < few; ++i) {
+				out.items[face + i] = std::uint64_t{codes[i]} << 32U | (face + i);
+			}
+		}
+	};
+	out.items.resizeForOverwrite(count);
+	Status status = parallelFor(count, kGrain, surface.threads, monitor, setItems);
+	auto other = HugeVector<std::uint64_t>::forOverwrite(count);
 	for (unsigned shift = 32; shift < 32 + 3 * bits && status.ok(); shift += kDigitBits) {
 		status = sortByDigit(out.items, shift, surface.threads, monitor, other);
 		out.items.swap(other);

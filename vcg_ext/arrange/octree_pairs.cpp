@@ -746,24 +746,4 @@ Status findPairs(const MeshArrays& mesh, const Options& options, Monitor& monito
 	}
 }
 
-Status visitPairsWithin(const HugeVector<FaceBox>& boxes, float halfSize, const Options& options,
-                        Monitor& monitor, const PairVisitor& visit) {
-	const FpEnvironmentGuard environment;
-	const auto visitOnce = [&visit](FacePair pair) {
-		if (pair.a < pair.b) {
-			visit(pair);
-		}
-	};
-	try {
-		Frontier frontier;
-		const Status status =
-		    makeFrontier(makeRoot(boxes, boxes, halfSize), options, monitor, frontier);
-		return status.ok() ? descend(frontier, {options, monitor, nullptr},
-		                             [&visitOnce](std::size_t) { return visitOnce; })
-		                   : status;
-	} catch (const std::bad_alloc&) {
-		return statusOf(StatusCode::OutOfMemory);
-	}
-}
-
 }  // namespace index_boolean

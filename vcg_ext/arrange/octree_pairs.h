@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Index Boolean authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// in: both operands' triangles; out: the pairs of faces, one of each operand, that may meet. Also:
-// the pairs of faces of one surface.
+// in: both operands' triangles; out: the pairs of faces, one of each operand, that may meet.
 // Guarantee: every two faces whose boxes touch or overlap are a pair, listed once, unless one lies
 // strictly on one side of the other's plane, or they are of one wide fan (see common_fans.h) and
 // meet in its vertex only; but each face of such a fan is in a pair with one of the other operand's
@@ -17,7 +16,6 @@
 #include "vcg_ext/base/monitor.h"
 #include "vcg_ext/base/status.h"
 
-#include <functional>
 #include <vector>
 
 namespace index_boolean {
@@ -35,18 +33,5 @@ namespace index_boolean {
 // boxes that meet, those of wide fans not counted.
 Status findPairs(const MeshArrays& mesh, const Options& options, Monitor& monitor,
                  std::vector<FacePair>& out);
-
-// Called with pairs of faces, on several threads at a time.
-using PairVisitor = std::function<void(FacePair)>;
-
-// Visits, in any order, each two faces of one surface with boxes that touch or overlap: once, as a
-// pair with a < b.
-// \param boxes    of all its faces, in a cube from -halfSize to halfSize
-// \param halfSize a power of two
-// \param options  octree limits and threads
-// \return Ok, Cancelled, OutOfMemory or InternalError. Unless Ok, pairs may not have been visited.
-// Complexity: O(n log n + p) for n faces and p pairs, in O(n) memory.
-Status visitPairsWithin(const HugeVector<FaceBox>& boxes, float halfSize, const Options& options,
-                        Monitor& monitor, const PairVisitor& visit);
 
 }  // namespace index_boolean

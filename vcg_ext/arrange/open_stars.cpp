@@ -154,14 +154,18 @@ bool Star::isCertifiedAlong(const Point& d) const {
 	return windsOnce(d, p, (p + 1) % 3) || windsOnce(d, p, (p + 2) % 3);
 }
 
-// Where a point lies, seen from the origin: -1 below, +1 not below, 0 in doubt. If d_q is 0 the
-// sign is that of a difference, which is exact, so that what is level counts as not below.
+int signOf(double x) { return x > 0 ? 1 : x < 0 ? -1 : 0; }
+
+// Where a point lies, seen from the origin: -1 below, +1 not below, 0 in doubt. Where one of the
+// two products is zero the sign is that of the factors of the other, exactly, so that what is level
+// counts as not below: spokes along an axis are common.
 int sideOf(const Point& point, const Point& origin, const Point& d, std::size_t p, std::size_t q) {
-	if (d[q] == 0) {
-		const double height = d[p] > 0 ? origin[q] - point[q] : point[q] - origin[q];
-		return height < 0 ? -1 : 1;
+	const double x = point[p] - origin[p], y = point[q] - origin[q];
+	if (x == 0 || y == 0 || d[q] == 0) {
+		const int sign = y == 0 ? signOf(d[q]) * signOf(x) : -signOf(d[p]) * signOf(y);
+		return sign < 0 ? -1 : 1;
 	}
-	const double left = d[q] * (point[p] - origin[p]), right = d[p] * (point[q] - origin[q]);
+	const double left = d[q] * x, right = d[p] * y;
 	const double value = left - right;
 	const double bound = 8 * kRoundoff * (std::fabs(left) + std::fabs(right)) + kUnderflow;
 	return value > bound ? 1 : value < -bound ? -1 : 0;

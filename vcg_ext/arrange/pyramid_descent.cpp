@@ -85,16 +85,15 @@ Lanes lanesWithCommonStar(const FaceLeaf& leaf, const FaceLeaf& other, std::size
 		const std::uint32_t s = other.stars[corner][lane];
 		star[corner] = s - (s == kNone ? 1U : 0U);  // a number that no star has
 	}
-	Lanes lanes = 0;
+	const std::uint32_t x = star[0], y = star[1], z = star[2];
+	std::array<std::uint32_t, 8> masks;
 	for (unsigned i = 0; i < 8; ++i) {
-		bool same = false;
-		for (std::size_t corner = 0; corner < 3; ++corner) {
-			const std::uint32_t s = leaf.stars[corner][i];
-			same = same | bool(s == star[0]) | bool(s == star[1]) | bool(s == star[2]);
-		}
-		lanes |= same ? 1U << i : 0U;
+		const std::uint32_t p = leaf.stars[0][i], q = leaf.stars[1][i], r = leaf.stars[2][i];
+		masks[i] = maskOf(p == x) | maskOf(p == y) | maskOf(p == z) | maskOf(q == x) |
+		           maskOf(q == y) | maskOf(q == z) | maskOf(r == x) | maskOf(r == y) |
+		           maskOf(r == z);
 	}
-	return lanes;
+	return lanesOf(masks);
 }
 
 // The descent below pairs of items. One object per thread's chunk.

@@ -61,12 +61,12 @@ struct SearchedSurface {
 // \return Ok, Cancelled or OutOfMemory. Complexity: O(n), in parallel.
 Status placeInFrame(SearchedSurface& surface, Monitor& monitor);
 
-// The corners of eight faces side by side: [corner][axis][face].
+// The corners of eight faces side by side: [corner][axis][face], or [corner][face].
 struct EightFaces {
 	static constexpr std::size_t kCount = 8;
 
 	std::array<std::array<std::array<float, kCount>, 3>, 3> place;
-	std::array<std::array<std::uint32_t, kCount>, 3> vertex;
+	std::array<std::array<std::uint32_t, kCount>, 3> vertex, star;
 };
 
 // Gathers faces faceAt(0) ... faceAt(count - 1), 1 to 8 of them, and the last one again and again
@@ -74,14 +74,21 @@ struct EightFaces {
 template <class FaceAt>
 inline void gatherEight(const FacesView& faces, const FramePoints& points, std::size_t count,
                         FaceAt&& faceAt, EightFaces& out) {
+	std::array<std::array<FramePoint, EightFaces::kCount>, 3> gathered;
 	for (std::size_t lane = 0; lane < EightFaces::kCount; ++lane) {
 		const IndexTriangle corners = faces[faceAt(lane < count ? lane : count - 1)];
 		for (std::size_t corner = 0; corner < 3; ++corner) {
-			const FramePoint& p = points[corners[corner]];
 			out.vertex[corner][lane] = corners[corner];
-			for (std::size_t axis = 0; axis < 3; ++axis) {
-				out.place[corner][axis][lane] = p.place[axis];
-			}
+			gathered[corner][lane] = points[corners[corner]];
+		}
+	}
+	for (std::size_t corner = 0; corner < 3; ++corner) {
+		for (std::size_t lane = 0; lane < EightFaces::kCount; ++lane) {
+			const FramePoint& p = gathered[corner][lane];
+			out.place[corner][0][lane] = p.place[0];
+			out.place[corner][1][lane] = p.place[1];
+			out.place[corner][2][lane] = p.place[2];
+			out.star[corner][lane] = p.star;
 		}
 	}
 }

@@ -13,7 +13,6 @@
 #include <gtest/gtest.h>
 
 #include <limits>
-#include <mutex>
 #include <random>
 
 using namespace index_boolean;
@@ -516,48 +515,6 @@ TEST(OctreePairs, listDoesNotDependOnTheThreads) {
 		for (int repeat = 0; repeat < 3; ++repeat) {
 			EXPECT_EQ(found(mesh, options), pairs) << threads;
 		}
-	}
-}
-
-// The faces of one soup, with boxes as floats from -1.5 to 1.5, where no rounding can tell apart
-// what meets.
-TEST(OctreePairs, pairsOfOneSurfaceAgreeWithBruteForce) {
-	for (unsigned seed = 1; seed <= 20; ++seed) {
-		SCOPED_TRACE(seed);
-		std::mt19937 random(seed);
-		Mesh soup = uniformSoup(100 * seed, 0.02 * seed, random);
-		for (Point& p : soup.points) {
-			for (double& x : p) {
-				x = static_cast<double>(static_cast<float>(x));
-			}
-		}
-		const std::vector<Box> boxes = faceBoxes(shapes::arrays(soup, {}));
-		HugeVector<FaceBox> rounded(boxes.size());
-		Pairs expected;
-		for (std::uint32_t a = 0; a < boxes.size(); ++a) {
-			for (std::size_t axis = 0; axis < 3; ++axis) {
-				rounded[a].lo[axis] = static_cast<float>(boxes[a].lo[axis]);
-				rounded[a].hi[axis] = static_cast<float>(boxes[a].hi[axis]);
-			}
-			rounded[a].face = a;
-			for (std::uint32_t b = a + 1; b < boxes.size(); ++b) {
-				if (gap(boxes[a], boxes[b]) <= 0) {
-					expected.emplace_back(a, b);
-				}
-			}
-		}
-		Options options;
-		options.octreeLeafSize = static_cast<int>(seed % 3);
-		Monitor monitor;
-		Pairs pairs;
-		std::mutex mutex;
-		const auto visit = [&](FacePair pair) {
-			const std::lock_guard<std::mutex> lock(mutex);
-			pairs.emplace_back(pair.a.value, pair.b.value);
-		};
-		EXPECT_TRUE(visitPairsWithin(rounded, 2, options, monitor, visit).ok());
-		std::sort(pairs.begin(), pairs.end());
-		EXPECT_EQ(pairs, expected);
 	}
 }
 
