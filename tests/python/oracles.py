@@ -76,6 +76,17 @@ def is_embedded(vertices, faces):
     return len(resolved) == len(mesh[0]) and len(kept) == len(mesh[1])
 
 
+def faces_that_cross(vertices, faces):
+    """The faces that meet others in more than common corners and edges, as libigl finds them.
+
+    It leaves out faces that lie on one another from a common edge on, and flat ones.
+    """
+    result = igl.copyleft.cgal.remesh_self_intersections(
+        np.ascontiguousarray(vertices), np.ascontiguousarray(faces), detect_only=True
+    )
+    return np.unique(result[2]).tolist()
+
+
 def volumes(blocks):
     """The volume of each block."""
     return {block: volume(*mesh) for block, mesh in blocks.items()}

@@ -13,6 +13,8 @@ import pymeshlab
 import pytest
 
 import mesh_laws
+import oracles
+import shapes
 from conftest import box, crossing_bars, document, joined, sphere
 
 BLOCKS = ("union", "intersection", "first_minus_second", "second_minus_first")
@@ -632,6 +634,18 @@ class TestSwitches:
         assert f"intersects itself: {len(selected)} faces are concerned, the first near" in message
         assert min(selected) < 12 <= max(selected)
         assert document(*meshes).generate_index_boolean()["union_closed"]
+
+    @pytest.mark.parametrize("seed", range(6))
+    def test_theFacesFoundAreThoseThatLibiglFinds(self, seed):
+        rng = np.random.default_rng(seed)
+        vertices, faces = shapes.torus(rng) if seed % 2 else sphere()
+        edge = np.linalg.norm(vertices[faces[:, 0]] - vertices[faces[:, 1]], axis=1).mean()
+        vertices = vertices + rng.normal(scale=(0.3 + 0.03 * seed) * edge, size=vertices.shape)
+        expected = oracles.faces_that_cross(vertices, faces)
+        assert expected
+        mesh_set = document((vertices, faces), FAR_AWAY)
+        refused(mesh_set, named=[0], check_self_intersections=True)
+        assert selected_faces(mesh_set, 0) == expected
 
     def test_componentsThatShareACornerOrAnEdgeArePassed(self):
         touching = joined(FIRST, box((2, 2, 0), (4, 4, 2)), box((4, 4, 2), (5, 5, 3)))

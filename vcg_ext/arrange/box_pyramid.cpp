@@ -67,7 +67,7 @@ struct LeafSource {
 		for (std::size_t lane = 0; lane < 8; ++lane) {
 			const bool isFace = lane < count;
 			out.faces[lane] = isFace ? order.face(first + lane) : kNone;
-			if (!isFace || surface.flat(out.faces[lane])) {
+			if (!isFace || surface.hasNoArea(out.faces[lane])) {
 				makeEmpty(out.boxes, lane);
 			}
 		}

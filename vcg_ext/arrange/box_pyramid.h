@@ -81,7 +81,7 @@ struct BoxPyramid {
 };
 
 // Builds a pyramid.
-// \param surface its stars are final; flat faces get a box that meets nothing
+// \param surface its stars are final; zero-area faces get a box that meets nothing
 // \param out     replaced
 // \return Ok, Cancelled or OutOfMemory. Complexity: O(n), in parallel; some 50 bytes a face.
 Status buildPyramid(const SearchedSurface& surface, const FaceOrder& order, Monitor& monitor,

@@ -198,8 +198,8 @@ void judgePairs(const SearchedSurface& surface, const StarFace* first, const Sta
 	for (const StarFace* i = first; i != last; ++i) {
 		for (const StarFace* j = i + 1; j != last; ++j) {
 			const std::uint32_t f = i->face, g = j->face;
-			if ((surface.suspects(f) || surface.suspects(g)) && !surface.flat(f) &&
-			    !surface.flat(g) && !haveCertifiedCorner(surface.faces[f], surface.faces[g])) {
+			if ((surface.suspects(f) || surface.suspects(g)) && !surface.hasNoArea(f) &&
+			    !surface.hasNoArea(g) && !haveCertifiedCorner(surface.faces[f], surface.faces[g])) {
 				judge.judge(f, g);
 			}
 		}

@@ -14,7 +14,7 @@
 namespace index_boolean {
 
 // Certifies open stars or judges their pairs, unless there are too many: stars of more than 64
-// faces without a common direction stay open. Flat faces take no part in pairs.
+// faces without a common direction stay open. Zero-area faces take no part in pairs.
 // \param openStars vertices; ascending
 // \param surface   its stars are written
 // \return Ok, Cancelled, OutOfMemory or InternalError. Complexity: O(n + k d) for k open stars of d

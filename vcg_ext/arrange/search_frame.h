@@ -48,12 +48,14 @@ struct SearchedSurface {
 	// as many faces each way. Empty: all have.
 	std::vector<std::uint8_t> isUnbalanced;
 	// [star_words] Per face: it has no area, and takes no part in pairs. Empty: all have.
-	std::vector<std::uint8_t> isFlat;
+	std::vector<std::uint8_t> isZeroArea;
 
 	bool suspects(std::uint32_t face) const {
 		return isSuspect == nullptr || (*isSuspect)[face] != 0;
 	}
-	bool flat(std::uint32_t face) const { return !isFlat.empty() && isFlat[face] != 0; }
+	bool hasNoArea(std::uint32_t face) const {
+		return !isZeroArea.empty() && isZeroArea[face] != 0;
+	}
 };
 
 // Maps the corners of the faces.

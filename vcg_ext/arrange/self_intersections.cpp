@@ -96,10 +96,10 @@ Status searchOperand(const Arrangement& arrangement, OperandId operand, Monitor&
 	const MeshArrays& mesh = arrangement.mesh;
 	const std::uint32_t first = mesh.faceOffsets.begin(operand);
 	ConcernedFaces concerned(mesh.faceOffsets.size(operand));
-	std::vector<std::uint32_t> flatFaces;  // of which a prepared operand has none
+	std::vector<std::uint32_t> zeroAreaFaces;  // of which a prepared operand has none
 	const WrongPairOptions options{arrangement.options.threads, arrangement.closed[operand]};
 	const Status status =
-	    visitWrongPairs(facesOf(mesh, operand), options, monitor, concerned, flatFaces);
+	    visitWrongPairs(facesOf(mesh, operand), options, monitor, concerned, zeroAreaFaces);
 	std::vector<FaceId> faces;
 	for (const std::uint32_t face : concerned.faces()) {
 		faces.push_back({first + face});

@@ -100,7 +100,7 @@ public:
 	}
 
 	unsigned word(std::size_t i) const { return words_[i]; }
-	const std::vector<std::uint32_t>& flatFaces() const { return flatFaces_; }
+	const std::vector<std::uint32_t>& zeroAreaFaces() const { return zeroAreaFaces_; }
 
 private:
 	void takeEight(std::size_t first, std::size_t count) {
@@ -129,13 +129,13 @@ private:
 		const FacesView& faces = surface_.faces;
 		const IndexTriangle t = faces[face];
 		if (hasZeroArea(faces.point(t[0]), faces.point(t[1]), faces.point(t[2]))) {
-			flatFaces_.push_back(face);
+			zeroAreaFaces_.push_back(face);
 		}
 	}
 
 	const SearchedSurface& surface_;
 	HugeVector<Word> words_;
-	std::vector<std::uint32_t> flatFaces_;
+	std::vector<std::uint32_t> zeroAreaFaces_;
 };
 
 // Whether along an axis all faces turn one way and the link comes up once, by the next coordinate.
@@ -190,14 +190,14 @@ Status certifyStars(SearchedSurface& surface, Monitor& monitor, WordsLeave& out)
 	    },
 	    [&] { return parallelForChunks(pointCount, kGrain, surface.threads, monitor, setSome); });
 	for (const Slice& slice : slices) {
-		append(out.flatFaces, slice.flatFaces());
+		append(out.zeroAreaFaces, slice.zeroAreaFaces());
 	}
 	for (const std::vector<std::uint32_t>& part : open) {
 		append(out.openStars, part);
 	}
-	surface.isFlat.assign(out.flatFaces.empty() ? 0 : faceCount, 0);
-	for (const std::uint32_t face : out.flatFaces) {
-		surface.isFlat[face] = 1;
+	surface.isZeroArea.assign(out.zeroAreaFaces.empty() ? 0 : faceCount, 0);
+	for (const std::uint32_t face : out.zeroAreaFaces) {
+		surface.isZeroArea[face] = 1;
 	}
 	return status;
 }

@@ -30,13 +30,13 @@ namespace index_boolean {
 
 // What the words of all vertices leave.
 struct WordsLeave {
-	std::vector<std::uint32_t> openStars;  // vertices, ascending; with a suspect face each
-	std::vector<std::uint32_t> flatFaces;  // of zero area, exactly; ascending
+	std::vector<std::uint32_t> openStars;      // vertices, ascending; with a suspect face each
+	std::vector<std::uint32_t> zeroAreaFaces;  // of zero area, exactly; ascending
 };
 
 // Sets the star of each vertex to its index, or to kNone if it is left open. A vertex without a
 // suspect face is certified untested: none of its pairs is of interest.
-// \param surface its stars are written, and isFlat
+// \param surface its stars are written, and isZeroArea
 // \param out     replaced
 // \return Ok, Cancelled or OutOfMemory. Complexity: O(n), in parallel; 2 bytes a vertex for each of
 // up to eight threads.

@@ -52,8 +52,8 @@ struct SearchTask {
 };
 
 Status search(const FacesView& faces, const SearchTask& task, Monitor& monitor,
-              WrongPairTaker& taker, std::vector<std::uint32_t>& flatFaces) {
-	flatFaces.clear();
+              WrongPairTaker& taker, std::vector<std::uint32_t>& zeroAreaFaces) {
+	zeroAreaFaces.clear();
 	if (faces.count() == 0) {
 		return {};
 	}
@@ -76,7 +76,8 @@ Status search(const FacesView& faces, const SearchTask& task, Monitor& monitor,
 	if (status.ok() && judge.sawContradiction()) {
 		status.code = StatusCode::InternalError;
 	}
-	std::copy_if(left.flatFaces.begin(), left.flatFaces.end(), std::back_inserter(flatFaces),
+	std::copy_if(left.zeroAreaFaces.begin(), left.zeroAreaFaces.end(),
+	             std::back_inserter(zeroAreaFaces),
 	             [&surface](std::uint32_t face) { return surface.suspects(face); });
 	return status;
 }
@@ -96,10 +97,12 @@ Status searchAmong(const FacesView& faces, const std::vector<std::uint8_t>& isSu
 	               [&isSuspect](std::uint32_t face) { return isSuspect[face]; });
 	PairList list;
 	const FacesView view(apart.points, apart.triangles.data(), apart.triangles.size());
-	const Status searched = search(view, {options, &isSuspectApart}, monitor, list, out.flatFaces);
+	const Status searched =
+	    search(view, {options, &isSuspectApart}, monitor, list, out.zeroAreaFaces);
 	const auto nameOf = [&near](std::uint32_t face) { return near[face]; };
 	out.pairs = list.sorted(nameOf);
-	std::transform(out.flatFaces.begin(), out.flatFaces.end(), out.flatFaces.begin(), nameOf);
+	std::transform(out.zeroAreaFaces.begin(), out.zeroAreaFaces.end(), out.zeroAreaFaces.begin(),
+	               nameOf);
 	return searched;
 }
 
@@ -121,7 +124,7 @@ Status findWrongPairs(const FacesView& faces, const WrongPairOptions& options, M
 	out = {};
 	return guarded([&] {
 		PairList list;
-		const Status status = search(faces, {options, nullptr}, monitor, list, out.flatFaces);
+		const Status status = search(faces, {options, nullptr}, monitor, list, out.zeroAreaFaces);
 		out.pairs = list.sorted([](std::uint32_t face) { return face; });
 		return status;
 	});
@@ -134,8 +137,10 @@ Status findWrongPairsAmong(const FacesView& faces, const std::vector<std::uint8_
 }
 
 Status visitWrongPairs(const FacesView& faces, const WrongPairOptions& options, Monitor& monitor,
-                       WrongPairTaker& taker, std::vector<std::uint32_t>& flatFaces) {
-	return guarded([&] { return search(faces, {options, nullptr}, monitor, taker, flatFaces); });
+                       WrongPairTaker& taker, std::vector<std::uint32_t>& zeroAreaFaces) {
+	return guarded([&] {
+		return search(faces, {options, nullptr}, monitor, taker, zeroAreaFaces);
+	});
 }
 
 }  // namespace index_boolean

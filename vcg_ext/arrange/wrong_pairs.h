@@ -1,11 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The Index Boolean authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// in: the faces of one surface; out: all pairs of them that meet wrongly, and the flat faces.
+// in: the faces of one surface; out: all pairs of them that meet wrongly, and the zero-area faces.
 // Two faces meet wrongly if they have a point in common that is neither a common vertex nor on a
 // common edge of both: faces that cross, touch, lie on one another from a common edge on, or have
-// the same three corners. A face is flat if it has exactly no area; it is listed as such, and takes
-// no part in pairs.
+// the same three corners. Zero-area faces are listed as such and take no part in pairs.
 // Guarantee: decided by exact signs, for every two faces, at any magnitude; no other number decides
 // anything. What is found does not depend on threads, nor on how vertices, faces and corners are
 // ordered. Surfaces may be open, not orientable, no manifold.
@@ -28,11 +27,11 @@ struct WrongPairOptions {
 
 // What has been found, by the indices of faces.
 struct WrongPairs {
-	std::vector<FacePair> pairs;           // a < b; sorted by a, then by b; each once
-	std::vector<std::uint32_t> flatFaces;  // ascending
+	std::vector<FacePair> pairs;               // a < b; sorted by a, then by b; each once
+	std::vector<std::uint32_t> zeroAreaFaces;  // ascending
 };
 
-// Finds all pairs of faces that meet wrongly, and all flat faces.
+// Finds all pairs of faces that meet wrongly, and all zero-area faces.
 // \param faces borrowed; finite, and welded: vertices in one place have one index. (Two that have
 // not are two vertices, and faces that meet there do so wrongly.)
 // \param out   replaced
@@ -42,20 +41,18 @@ struct WrongPairs {
 Status findWrongPairs(const FacesView& faces, const WrongPairOptions& options, Monitor& monitor,
                       WrongPairs& out);
 
-// The same, but only pairs with a suspect face are found, and suspect flat faces: of a surface of
-// which all other pairs are known.
-// \param isSuspect per face, not 0: suspect
-// \return as above. Complexity: one pass over the faces; then as above, for the suspect faces and
-// those near them.
+// The same, but only pairs with a suspect face are found, and suspect zero-area faces: of a surface
+// of which all other pairs are known. \param isSuspect per face, not 0: suspect \return as above.
+// Complexity: one pass over the faces; then as above, for the suspect faces and those near them.
 Status findWrongPairsAmong(const FacesView& faces, const std::vector<std::uint8_t>& isSuspect,
                            const WrongPairOptions& options, Monitor& monitor, WrongPairs& out);
 
 // Hands all pairs of faces that meet wrongly to a taker, as they are found, for whom a list may be
 // too long: a tangle of n faces may have n^2 of them.
 // \param taker     called on several threads, with a pair once or twice
-// \param flatFaces replaced; ascending
+// \param zeroAreaFaces replaced; ascending
 // \return, Complexity: as findWrongPairs
 Status visitWrongPairs(const FacesView& faces, const WrongPairOptions& options, Monitor& monitor,
-                       WrongPairTaker& taker, std::vector<std::uint32_t>& flatFaces);
+                       WrongPairTaker& taker, std::vector<std::uint32_t>& zeroAreaFaces);
 
 }  // namespace index_boolean

@@ -28,15 +28,15 @@ using Pairs = std::vector<std::array<std::uint32_t, 2>>;
 // What a search finds, or should find.
 struct Found {
 	Pairs pairs;
-	std::vector<std::uint32_t> flatFaces;
+	std::vector<std::uint32_t> zeroAreaFaces;
 
-	bool empty() const { return pairs.empty() && flatFaces.empty(); }
+	bool empty() const { return pairs.empty() && zeroAreaFaces.empty(); }
 	friend bool operator==(const Found& a, const Found& b) {
-		return a.pairs == b.pairs && a.flatFaces == b.flatFaces;
+		return a.pairs == b.pairs && a.zeroAreaFaces == b.zeroAreaFaces;
 	}
 	friend void PrintTo(const Found& found, std::ostream* out) {
 		*out << found.pairs.size() << " pairs" << ::testing::PrintToString(found.pairs)
-		     << ", flat faces " << ::testing::PrintToString(found.flatFaces);
+		     << ", zero-area faces " << ::testing::PrintToString(found.zeroAreaFaces);
 	}
 };
 
@@ -45,7 +45,7 @@ Found asFound(const WrongPairs& wrong) {
 	for (const FacePair& pair : wrong.pairs) {
 		found.pairs.push_back({pair.a.value, pair.b.value});
 	}
-	found.flatFaces = wrong.flatFaces;
+	found.zeroAreaFaces = wrong.zeroAreaFaces;
 	return found;
 }
 
@@ -108,15 +108,15 @@ Found expected(const Mesh& mesh) {
 			boxes[face].add(mesh.points[v]);
 		}
 		if (oracle::isFlat(exact.back())) {
-			found.flatFaces.push_back(face);
+			found.zeroAreaFaces.push_back(face);
 		}
 	}
-	const auto isFlat = [&found](std::uint32_t face) {
-		return std::binary_search(found.flatFaces.begin(), found.flatFaces.end(), face);
+	const auto isZeroArea = [&found](std::uint32_t face) {
+		return std::binary_search(found.zeroAreaFaces.begin(), found.zeroAreaFaces.end(), face);
 	};
 	for (std::uint32_t a = 0; a < count; ++a) {
 		for (std::uint32_t b = a + 1; b < count; ++b) {
-			if (!commonBox(boxes[a], boxes[b]).empty() && !isFlat(a) && !isFlat(b) &&
+			if (!commonBox(boxes[a], boxes[b]).empty() && !isZeroArea(a) && !isZeroArea(b) &&
 			    oracle::meetWrongly(exact[a], exact[b])) {
 				found.pairs.push_back({a, b});
 			}
@@ -129,7 +129,8 @@ Found onlyOf(const Found& all, const std::vector<std::uint8_t>& isSuspect) {
 	Found some;
 	std::copy_if(all.pairs.begin(), all.pairs.end(), std::back_inserter(some.pairs),
 	             [&](const auto& pair) { return isSuspect[pair[0]] || isSuspect[pair[1]]; });
-	std::copy_if(all.flatFaces.begin(), all.flatFaces.end(), std::back_inserter(some.flatFaces),
+	std::copy_if(all.zeroAreaFaces.begin(), all.zeroAreaFaces.end(),
+	             std::back_inserter(some.zeroAreaFaces),
 	             [&](std::uint32_t face) { return isSuspect[face] != 0; });
 	return some;
 }
@@ -192,7 +193,7 @@ T anyOf(std::mt19937& random, std::initializer_list<T> values) {
 	return values.begin()[random() % values.size()];
 }
 
-// A few triangles between few places of a grid: contacts of every kind, flat faces too.
+// A few triangles between few places of a grid: contacts of every kind, zero-area faces too.
 Mesh gridTriangles(std::mt19937& random) {
 	const std::size_t height = 1 + random() % 4, count = 2 + random() % 40;
 	Mesh mesh;
@@ -300,7 +301,7 @@ TEST(WrongPairs, fuzzedSurfacesAreJudgedAsByRationalArithmetic) {
 		const Found all = expected(mesh);
 		clean += all.empty() ? 1 : 0;
 		wrong += all.pairs.empty() ? 0 : 1;
-		flat += all.flatFaces.empty() ? 0 : 1;
+		flat += all.zeroAreaFaces.empty() ? 0 : 1;
 		closed += isClosedMesh(mesh) ? 1 : 0;
 		for (const int threads : {1, 2, 5}) {
 			ASSERT_EQ(search(mesh, threads), all);
@@ -387,11 +388,11 @@ TEST(WrongPairs, numberingsOfVerticesFacesAndCornersDoNotMatter) {
 			const auto [low, high] = std::minmax(faceOf[pair[0]], faceOf[pair[1]]);
 			pair = {low, high};
 		}
-		for (std::uint32_t& face : found.flatFaces) {
+		for (std::uint32_t& face : found.zeroAreaFaces) {
 			face = faceOf[face];
 		}
 		std::sort(found.pairs.begin(), found.pairs.end());
-		std::sort(found.flatFaces.begin(), found.flatFaces.end());
+		std::sort(found.zeroAreaFaces.begin(), found.zeroAreaFaces.end());
 		ASSERT_EQ(found, search(mesh));
 	}
 }
@@ -409,7 +410,7 @@ TEST(WrongPairs, nothingIsFoundOfNothing) {
 	EXPECT_TRUE(searchAmong(icosphere(1), std::vector<std::uint8_t>(80)).empty());
 }
 
-TEST(WrongPairs, faceTwiceAndFoldOverAnEdgeAndFlatFaces) {
+TEST(WrongPairs, faceTwiceAndFoldOverAnEdgeAndZeroAreaFaces) {
 	Mesh mesh;
 	mesh.points = {{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {1, 1, 0}, {2, 0, 0}, {0, 0, 1}, {0, -1, 0}};
 	mesh.triangles = {{0, 1, 2}, {0, 2, 1}, {1, 0, 3}, {0, 4, 1}, {0, 0, 5}, {0, 1, 5}, {0, 6, 1}};
