@@ -49,7 +49,7 @@ struct CommandLine {
 	std::uint32_t smallPairs = 0;          // how many; 0: not asked
 	std::uint32_t cancels = 0;             // how many; 0: not asked
 	std::vector<std::uint32_t> hardSizes;  // per hard input; 0: not asked
-	bool boxes = false, attributes = false, oneOperation = false, sizes = false;
+	bool boxes = false, attributes = false, oneOperation = false, sizes = false, certify = false;
 	std::string placement = "none";
 	std::array<std::vector<double>, 2> transforms;  // 12 or 16 numbers, or none
 	Operation operation = Operation::Union;
@@ -424,12 +424,18 @@ std::size_t residentMemory(const std::string& line) {
 // Makes VmHWM start again from VmRSS.
 void resetPeakMemory() { std::ofstream("/proc/self/clear_refs") << "5"; }
 
+Options optionsOf(const CommandLine& commandLine) {
+	Options options;
+	options.threads = commandLine.threads;
+	options.certify = commandLine.certify;
+	return options;
+}
+
 // Medians over the runs after the warm-up; blocks and loops of the last run (all are equal).
 // \return a refusal's status, else Ok
 Status measure(const CommandLine& commandLine, const Operands& operands,
                const std::vector<Operation>& operations, ordered_json& out) {
-	Options options;
-	options.threads = commandLine.threads;
+	const Options options = optionsOf(commandLine);
 	std::vector<double> totals, withoutAudit;
 	std::vector<std::pair<std::string, std::vector<double>>> stages;
 	resetPeakMemory();
@@ -551,6 +557,8 @@ CommandLine parse(int argc, char** argv) {
 	    ->transform(CLI::CheckedTransformer(operations).description(""));
 	app.add_flag("--sizes", out.sizes, "Prints how large the operands are, and times nothing");
 	app.add_flag("--one-operation", out.oneOperation, "Times that operation, not the four blocks");
+	app.add_flag("--certify", out.certify,
+	             "Certifies what is delivered, as hosts do; off, so that commits compare");
 	app.add_flag("--attributes", out.attributes,
 	             "Times also where all attributes of the blocks' elements come from");
 	app.add_option("--threads", out.threads, "0: as many as OpenMP gives")
@@ -616,8 +624,7 @@ Operands makeSmallPair(std::uint32_t number) {
 // Cancels a run at moments spread over the time that a whole one takes. Timed is what a user waits
 // from the wish to the return, with all memory given back.
 Status measureCancel(const CommandLine& commandLine, const Operands& operands, ordered_json& out) {
-	Options options;
-	options.threads = commandLine.threads;
+	const Options options = optionsOf(commandLine);
 	const Job job{commandLine.split ? std::vector<Operation>{} : kFourBlocks,
 	              commandLine.attributes};
 	Monitor unheard;
@@ -654,8 +661,7 @@ Status measureCancel(const CommandLine& commandLine, const Operands& operands, o
 
 // Each pair once to warm up, then again, timed. \return a refusal's status, else Ok
 Status measureSmallPairs(const CommandLine& commandLine, ordered_json& out) {
-	Options options;
-	options.threads = commandLine.threads;
+	const Options options = optionsOf(commandLine);
 	std::vector<double> seconds, withoutAudit;
 	for (std::uint32_t i = 0; i < commandLine.smallPairs; ++i) {
 		const Operands pair = makeSmallPair(i);

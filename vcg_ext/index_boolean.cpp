@@ -15,6 +15,7 @@
 #include "vcg_ext/arrange/triangle_contact.h"
 #include "vcg_ext/base/huge_pages.h"
 #include "vcg_ext/base/parallel.h"
+#include "vcg_ext/carry/certificates.h"
 #include "vcg_ext/carry/polygons.h"
 #include "vcg_ext/mesh/clean.h"
 #include "vcg_ext/solids/delaunay_pieces.h"
@@ -194,7 +195,7 @@ Status extractBlock(const Arrangement& arrangement, Operation operation, Monitor
 	return guarded([&] {
 		Stages stages(monitor, out.stageTimes);
 		const Options& options = arrangement.options;
-		stages.run("blocks", 0.6,
+		stages.run("blocks", 0.55,
 		           [&] { return collectBlock(arrangement, operation, monitor, out); });
 		stages.run("manifold_copies", 0.1, [&] {
 			return options.weldNonManifold ? Status{} : copyNonManifold(arrangement, monitor, out);
@@ -204,6 +205,8 @@ Status extractBlock(const Arrangement& arrangement, Operation operation, Monitor
 		stages.run("delaunay_pieces", 0.05,
 		           [&] { return makePiecesDelaunay(arrangement, monitor, out); });
 		stages.run("clean", 0.1, [&] { return finishBlock(options, monitor, out); });
+		stages.run("certificates", 0.05,
+		           [&] { return certify(arrangement, out, {}, monitor, out.certificate); });
 		stages.run("polygons", 0.05, [&] { return findFauxEdges(arrangement, {}, monitor, out); });
 		return stages.status();
 	});

@@ -12,6 +12,7 @@
 #include "runs/stopwatch.h"
 #include "texts/messages.h"
 
+#include <algorithm>
 #include <memory>
 #include <utility>
 
@@ -22,7 +23,7 @@ namespace {
 constexpr FilterId kFilter = FilterId::GenerateIndexBoolean;
 
 Options readOptions(const ParameterValues& values) {
-	Options options = readCommonOptions(kFilter, values);
+	Options options = readSurfaceOptions(kFilter, values);
 	options.mergeFragments = values.getBool("merge_fragments");
 	options.mergeCoplanar = values.getBool("merge_coplanar");
 	options.weldNonManifold = values.getBool("weld_non_manifold");
@@ -71,6 +72,7 @@ std::vector<LayerContent> contentsOf(const BooleanResult& result, const BooleanR
 		LayerContent content;
 		content.label = QString::fromStdString(blockLabel(block.operation, names));
 		content.surface = &block;
+		content.selectedFaces = &block.certificate.faces;
 		if (transfer != nullptr) {
 			content.prepareAttributes = [&result, &block, transfer, i](MeshModel& layer,
 			                                                           ElementWriters& writers) {
@@ -94,7 +96,7 @@ std::vector<int> idsOf(const std::vector<MeshModel*>& layers) {
 	return ids;
 }
 
-std::vector<std::string> findings(const BooleanResult& result, bool curves,
+std::vector<std::string> findings(const BooleanResult& result, OutputScalar scalar, bool curves,
                                   const AttributeTransfer* transfer, const AdapterSeconds& seconds,
                                   const LayerNames& names) {
 	std::vector<std::string> messages = operandMessages(result.report, names);
@@ -106,6 +108,16 @@ std::vector<std::string> findings(const BooleanResult& result, bool curves,
 		messages.push_back(block.triangles.empty()
 		                       ? emptyBlockMessage(block.operation, names)
 		                       : blockMessage(block, result.audit.blocks[i], names));
+	}
+	for (const Block& block : result.blocks) {
+		if (!block.certificate.faces.empty()) {
+			messages.push_back(uncertifiedMessage(blockLabel(block.operation, names),
+			                                      block.certificate.faces.size(), scalar));
+		}
+	}
+	if (std::all_of(result.blocks.begin(), result.blocks.end(),
+	                [](const Block& block) { return block.certificate.count() == 0; })) {
+		messages.push_back(certifiedMessage(result.blocks.size(), scalar));
 	}
 	if (curves) {
 		messages.push_back(curvesMessage(result.curves, result.report.loopCounts, names));
@@ -144,7 +156,8 @@ FilterOutput generateIndexBoolean(const ParameterValues& values, MeshDocument& d
 
 	seconds.total = total.seconds();
 	return {resultMap(result, idsOf(layers), seconds),
-	        findings(result, request.curves, transfer.get(), seconds, operands.names)};
+	        findings(result, request.options.outputScalar, request.curves, transfer.get(), seconds,
+	                 operands.names)};
 }
 
 }  // namespace index_boolean

@@ -23,7 +23,7 @@ constexpr double kSourcesShare = 0.05;
 
 SplitRequest readRequest(const ParameterValues& values) {
 	SplitRequest request;
-	request.options = readCommonOptions(kFilter, values);
+	request.options = readSurfaceOptions(kFilter, values);
 	request.subSurfaces = {values.getBool("sub_surfaces_first"),
 	                       values.getBool("sub_surfaces_second")};
 	request.subBlocks = values.getBool("sub_blocks");
@@ -46,6 +46,7 @@ LayerContent contentOf(const SplitLayer& layer, const AttributeSources& sources,
 	LayerContent content;
 	content.label = QString::fromStdString(layer.label);
 	content.surface = &layer;
+	content.selectedFaces = &layer.certificate.faces;
 	content.prepareAttributes = [&](MeshModel& model, ElementWriters& writers) {
 		transfer.prepare(layer, sources, {false, false}, model, writers);
 	};
@@ -90,6 +91,34 @@ PieceLayers layersByKind(const std::vector<SplitLayer>& layers,
 	return ids;
 }
 
+// One sentence for each kind of pieces that are not certified, or one for all.
+void addCertificateMessages(const SplitResult& result, const SplitRequest& request,
+                            const LayerNames& names, std::vector<std::string>& messages) {
+	if (!request.options.certify) {
+		return;
+	}
+	bool areAll = true;
+	const auto add = [&](PieceKind kind, std::size_t faces) {
+		if (faces > 0) {
+			areAll = false;
+			messages.push_back(
+			    uncertifiedMessage(splitLabel(kind, names), faces, request.options.outputScalar));
+		}
+	};
+	for (const OperandId operand : request.subSurfaces.operands()) {
+		add(subSurfacesOf(operand), result.surfaceMeshes[operand].certificate.faces.size());
+	}
+	std::size_t ofBlocks = 0;
+	for (const SplitMesh& block : result.blockMeshes) {
+		ofBlocks += block.certificate.faces.size();
+	}
+	add(PieceKind::SubBlocks, ofBlocks);
+	if (areAll) {
+		messages.push_back(
+		    certifiedMessage(pieceCount(result, request), request.options.outputScalar));
+	}
+}
+
 std::vector<std::string> findings(const SplitResult& result, const SplitRequest& request,
                                   const AttributeTransfer& transfer, const AdapterSeconds& seconds,
                                   const LayerNames& names) {
@@ -103,6 +132,7 @@ std::vector<std::string> findings(const SplitResult& result, const SplitRequest&
 	if (request.subBlocks) {
 		messages.push_back(subBlocksMessage(result, names));
 	}
+	addCertificateMessages(result, request, names, messages);
 	if (request.separateLayers && !hasLayerForEachPiece(result, request)) {
 		messages.push_back(tooManyLayersMessage(pieceCount(result, request), request.maxLayers));
 	}

@@ -29,6 +29,7 @@ void addBlock(const Block& block, const BlockMeasure& measure, int layerId, Resu
 	map[name + "_faces"] = toInt(block.triangles.size());
 	map[name + "_components"] = toInt(measure.components);
 	map[name + "_closed"] = measure.closed;
+	map[name + "_self_intersections"] = static_cast<int>(block.certificate.count());
 }
 
 // Those of all meshes.
@@ -72,6 +73,33 @@ void addSubSurfaces(const SplitResult& result, OperandId operand, ResultMap& map
 	    listOfSurfaces([](const SubSurface& s) { return s.closedCycles; });
 	map[name + "_separating"] =
 	    listOf(ids, [&](SubSurfaceId id) { return at(result.split.blocks.separates, id); });
+}
+
+// Per sub-surface, the faces concerned; -1 for each if that is not known.
+std::vector<std::int64_t> concernedPerSubSurface(const SplitResult& result, OperandId operand) {
+	const SplitMesh& mesh = result.surfaceMeshes[operand];
+	const std::int64_t none = mesh.certificate.isKnown ? 0 : -1;
+	std::vector<std::int64_t> counts(result.surfaceCount(operand), none);
+	for (const std::uint32_t face : mesh.certificate.faces) {
+		const SubSurface& surface = at(result.split.surfaces.all, mesh.subSurface[face]);
+		++counts[static_cast<std::size_t>(surface.number[operand])];
+	}
+	return counts;
+}
+
+// Of the pieces of each kind that is asked for.
+void addCertificates(const SplitResult& result, const PieceLayers& layerIds, ResultMap& map) {
+	for (const OperandId operand : result.surfaceMeshes.operands()) {
+		const auto kind = static_cast<std::size_t>(subSurfacesOf(operand));
+		if (!layerIds[kind].empty()) {
+			map[std::string(kPieceNames[kind]) + "_self_intersections"] =
+			    listOf(concernedPerSubSurface(result, operand), [](std::int64_t n) { return n; });
+		}
+	}
+	if (!layerIds[static_cast<std::size_t>(PieceKind::SubBlocks)].empty()) {
+		map["sub_blocks_self_intersections"] =
+		    listOf(result.blockMeshes, [](const SplitMesh& m) { return m.certificate.count(); });
+	}
 }
 
 void addSubBlocks(const std::vector<SubBlock>& blocks, ResultMap& map) {
@@ -143,6 +171,7 @@ ResultMap resultMap(const SplitResult& result, const PieceLayers& layerIds,
 		addSubSurfaces(result, operand, map);
 	}
 	addSubBlocks(result.split.blocks.all, map);
+	addCertificates(result, layerIds, map);
 	for (std::size_t kind = 0; kind < layerIds.size(); ++kind) {
 		if (layerIds[kind].empty()) {
 			continue;

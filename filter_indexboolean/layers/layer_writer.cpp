@@ -37,6 +37,18 @@ RangeWriter scalarWriter(const ScalarAttribute& scalar, Attribute out) {
 	};
 }
 
+// Of the faces [begin, end), selects those listed, in ascending order, and no others.
+void selectOnly(const std::vector<std::uint32_t>& faces, std::size_t begin, std::size_t end,
+                CMeshO& mesh) {
+	for (std::size_t f = begin; f < end; ++f) {
+		mesh.face[f].ClearS();
+	}
+	for (auto face = std::lower_bound(faces.begin(), faces.end(), begin);
+	     face != faces.end() && *face < end; ++face) {
+		mesh.face[*face].SetS();
+	}
+}
+
 template <class Elements>
 int countSelected(const Elements& elements, std::size_t begin, std::size_t end) {
 	int count = 0;
@@ -106,11 +118,15 @@ Status LayerWriter::writeVertices(Monitor& monitor) {
 
 Status LayerWriter::writeFaces(Monitor& monitor) {
 	CMeshO& mesh = layer_.cm;
+	const bool selects = content_.selectedFaces != nullptr && !content_.selectedFaces->empty();
 	return inOrderFor(trianglesOf(content_).size(), kAppendGrain, monitor,
 	                  [&](std::size_t begin, std::size_t end) {
 		                  surface_.appendFaces(begin, end);
 		                  for (const RangeWriter& write : writers_.faces) {
 			                  write(begin, end);
+		                  }
+		                  if (selects) {
+			                  selectOnly(*content_.selectedFaces, begin, end, mesh);
 		                  }
 		                  mesh.sfn += countSelected(mesh.face, begin, end);
 	                  });

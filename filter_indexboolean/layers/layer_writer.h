@@ -36,7 +36,8 @@ struct LayerContent {
 	const SourcedMesh* surface = nullptr;
 	const CurveLines* curves = nullptr;
 	std::vector<ScalarAttribute> vertexAttributes, faceAttributes;
-	std::vector<vcg::Color4b> faceColours;  // empty: the faces have none
+	const std::vector<std::uint32_t>* selectedFaces = nullptr;  // if any, these alone are selected
+	std::vector<vcg::Color4b> faceColours;                      // empty: the faces have none
 	// Makes room in a layer that is still empty for whatever the operands carry, and adds what
 	// writes it, the vertices' normals as well. Empty: normals are those of the faces.
 	std::function<void(MeshModel&, ElementWriters&)> prepareAttributes;

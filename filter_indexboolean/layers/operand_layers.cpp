@@ -56,6 +56,15 @@ Options readCommonOptions(FilterId filter, const ParameterValues& values) {
 	return options;
 }
 
+Options readSurfaceOptions(FilterId filter, const ParameterValues& values) {
+	Options options = readCommonOptions(filter, values);
+	options.certify = values.getBool("certify");
+	if (values.getInt("certify_as") == static_cast<int>(CertifyAs::Float)) {
+		options.outputScalar = OutputScalar::Float;
+	}
+	return options;
+}
+
 void refuseUnlessOk(const Status& status, const LayerNames& names) {
 	if (!status.ok()) {
 		throw Refusal(refusalMessage(status, names));

@@ -30,6 +30,9 @@ int numberInRange(FilterId filter, const char* name, const ParameterValues& valu
 // the host's scalar.
 Options readCommonOptions(FilterId filter, const ParameterValues& values);
 
+// These, and those that filters have that make surfaces: certificates, and the scalar for them.
+Options readSurfaceOptions(FilterId filter, const ParameterValues& values);
+
 // Throws Refusal with the status's sentence.
 void refuseUnlessOk(const Status& status, const LayerNames& names);
 

@@ -36,6 +36,10 @@ SplitLayer emptyLayer(PieceKind kind, const LayerNames& names) {
 void appendMesh(const SplitMesh& mesh, std::int32_t block, const SplitResult& result,
                 SplitLayer& layer) {
 	const auto first = static_cast<std::uint32_t>(layer.points.size());
+	const auto firstFace = static_cast<std::uint32_t>(layer.triangles.size());
+	for (const std::uint32_t face : mesh.certificate.faces) {
+		layer.certificate.faces.push_back(firstFace + face);
+	}
 	append(mesh.points, layer.points);
 	append(mesh.vertexSource, layer.vertexSource);
 	append(mesh.faceSource, layer.faceSource);
@@ -88,6 +92,10 @@ public:
 			for (std::size_t corner = 0; corner < 3; ++corner) {
 				triangle[corner] = number(whole_.triangles[face][corner], layer);
 			}
+			if (isConcerned(face)) {
+				layer.certificate.faces.push_back(
+				    static_cast<std::uint32_t>(layer.triangles.size()));
+			}
 			layer.triangles.push_back(triangle);
 			layer.faceSource.push_back(whole_.faceSource[face]);
 			if (!whole_.faux.empty()) {
@@ -108,6 +116,11 @@ public:
 	}
 
 private:
+	bool isConcerned(std::uint32_t face) const {
+		const std::vector<std::uint32_t>& faces = whole_.certificate.faces;
+		return std::binary_search(faces.begin(), faces.end(), face);
+	}
+
 	static constexpr std::uint32_t kUnused = std::numeric_limits<std::uint32_t>::max();
 
 	// The vertex's number in the part, which gets it when it is first asked for.

@@ -52,7 +52,8 @@ const char* const kSplitHelp =
     "the order of vertices and faces.<br>"
     "The layers' matrices are applied. Each layer must be free of self-intersections.<br>";
 
-constexpr ParameterKind kBool = ParameterKind::Bool, kInt = ParameterKind::Int;
+constexpr ParameterKind kBool = ParameterKind::Bool, kInt = ParameterKind::Int,
+                        kChoice = ParameterKind::Choice;
 
 ParameterDefinition layerParameter(const char* name, int position, const char* label,
                                    const char* help) {
@@ -77,6 +78,33 @@ const ParameterDefinition kCheckSelfIntersections{
     "Searches each layer for faces that meet others of the same layer anywhere but in a common "
     "vertex or edge, before anything else; a layer that has any is refused, and all of them are "
     "selected. Off: self-intersections are noticed only where the other layer comes near."};
+
+const ParameterDefinition kCertify{
+    "certify",
+    kBool,
+    1,
+    0,
+    1,
+    false,
+    "Certify results",
+    "Whether each new surface holds as it is stored is found out and told: no two of its faces "
+    "have a point in common but on common vertices and edges, and none is flat. Where rounding "
+    "has made it otherwise, new points are moved by a few units in the last place until it does "
+    "hold; what is left is counted, and the faces concerned are selected. Off: nothing is "
+    "searched, moved or told."};
+
+const ParameterDefinition kCertifyAs{
+    "certify_as",
+    kChoice,
+    0,
+    0,
+    1,
+    false,
+    "Certify as stored in",
+    "The numbers that the results will be kept in. host: those of the layers. float: coordinates "
+    "are rounded to single precision, as STL files and MeshLab's window have them, so that what "
+    "is saved as such is what has been certified.",
+    {"host", "float"}};
 
 const ParameterDefinition kOctreeMaxDepth{
     "octree_max_depth",
@@ -136,6 +164,8 @@ FilterDefinition booleanDefinition() {
 	         "copies: edges with four faces. Off: copies of vertices pull the faces apart, so that "
 	         "each block is a manifold mesh."},
 	        kCheckSelfIntersections,
+	        kCertify,
+	        kCertifyAs,
 	        {"transfer_attributes", kBool, 1, 0, 1, false, "Transfer attributes",
 	         "Whatever the layers carry is carried over: colours, qualities, normals, radii, "
 	         "curvature directions, texture coordinates with their textures, selection, and the "
@@ -183,6 +213,8 @@ FilterDefinition splitDefinition() {
 	         "1 to 1000. If there are more pieces, all of a kind go into one layer, told apart by "
 	         "their numbers and colours; the log says so."},
 	        kCheckSelfIntersections,
+	        kCertify,
+	        kCertifyAs,
 	        kOctreeMaxDepth,
 	        kOctreeLeafSize,
 	    },

@@ -15,17 +15,21 @@
 
 namespace index_boolean {
 
-enum class ParameterKind { Layer, Bool, Int };
+enum class ParameterKind { Layer, Bool, Int, Choice };
 
 struct ParameterDefinition {
 	const char* name;
 	ParameterKind kind;
-	int defaultValue;      // Layer: the position in the document; Bool: 0 or 1
+	int defaultValue;  // Layer: the position in the document; Bool: 0 or 1; Choice: which of them
 	int minimum, maximum;  // Int: the values that are accepted
 	bool advanced;
 	const char* label;
 	const char* help;
+	std::vector<const char*> choices = {};  // Choice: the words to choose from
 };
+
+// What results are certified as, in the order of the parameter certify_as.
+enum class CertifyAs { Host, Float };
 
 enum class FilterId {
 	GenerateIndexBoolean,

@@ -105,6 +105,10 @@ std::string listed(const std::vector<std::string>& names, const char* last) {
 	return list;
 }
 
+std::string scalarName(OutputScalar scalar) {
+	return scalar == OutputScalar::Float ? "single precision" : "double precision";
+}
+
 std::string noneRequested(const char* noun, const std::vector<std::string>& parameters) {
 	return std::string("No ") + noun +
 	       " is asked for. Set at least one of these to true: " + listed(parameters, ", ") + ".";
@@ -208,6 +212,19 @@ std::string blockMessage(const Block& block, const BlockMeasure& measure,
 	       "\": " + counted(block.triangles.size(), "face") + ", " +
 	       counted(measure.components, "component") + ", volume " + decimal(measure.volume) +
 	       ", area " + decimal(measure.area) + ".";
+}
+
+std::string certifiedMessage(std::size_t surfaces, OutputScalar scalar) {
+	return "Certified: as stored in " + scalarName(scalar) + ", the faces of " +
+	       (surfaces == 1 ? "the new surface" : "each of the " + counted(surfaces, "new surface")) +
+	       " meet in common vertices and edges only, and none is flat.";
+}
+
+std::string uncertifiedMessage(const std::string& label, std::size_t faces, OutputScalar scalar) {
+	return "\"" + label + "\": " + counted(faces, "face") + (faces == 1 ? " is" : " are") +
+	       " flat, or " + (faces == 1 ? "meets" : "meet") + " others wrongly, as stored in " +
+	       scalarName(scalar) + ". " + (faces == 1 ? "It is" : "They are") +
+	       " selected; the selection of the layers was not carried over.";
 }
 
 std::string curvesMessage(const CurveLines& curves, const LoopCounts& counts,

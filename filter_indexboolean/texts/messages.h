@@ -49,6 +49,12 @@ std::string lackingAttributesMessage(const LayerName& layer,
 // What a block is like, for those who see the log and not the result map.
 std::string blockMessage(const Block& block, const BlockMeasure& measure, const LayerNames& layers);
 
+// All of the run's surfaces hold as they are stored.
+std::string certifiedMessage(std::size_t surfaces, OutputScalar scalar);
+
+// Faces of a new layer, more than none, that are flat or meet others wrongly as they are stored.
+std::string uncertifiedMessage(const std::string& label, std::size_t faces, OutputScalar scalar);
+
 // How many loops the curve has, of which kinds, and how long it is.
 std::string curvesMessage(const CurveLines& curves, const LoopCounts& counts,
                           const LayerNames& layers);

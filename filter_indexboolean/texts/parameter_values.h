@@ -46,6 +46,9 @@ ParameterValues readValues(const FilterDefinition& filter, const HostParameters&
 		case ParameterKind::Int:
 			values.set(name, parameters.getInt(name));
 			break;
+		case ParameterKind::Choice:
+			values.set(name, parameters.getEnum(name));
+			break;
 		}
 	}
 	return values;

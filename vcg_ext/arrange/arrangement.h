@@ -26,6 +26,7 @@ struct Options {
 	bool mergeCoplanar = false;    // and coplanar neighbours become one face, as far as they can
 	bool weldNonManifold = false;  // where a block meets itself, it keeps one vertex, not copies
 	bool checkSelfIntersections = false;  // search each operand for faces that meet wrongly
+	bool certify = true;                  // say of each delivered mesh whether it holds as stored
 	// How many there may be of anything that a run numbers: vertices, faces, points of contact,
 	// pieces; of corners and label nodes, twice as many. More is TooLarge. Raising it does nothing.
 	std::size_t mostElements = kMostElements;

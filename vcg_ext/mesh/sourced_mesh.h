@@ -17,6 +17,15 @@ struct FaceSource {
 	bool turned;
 };
 
+// Whether a mesh holds as it is stored, see carry/certificates.h.
+struct Certificate {
+	bool isKnown = false;
+	std::vector<std::uint32_t> faces;  // that are flat, or meet others wrongly; ascending
+
+	// Of those faces, or -1 if it is not known.
+	std::int64_t count() const { return isKnown ? static_cast<std::int64_t>(faces.size()) : -1; }
+};
+
 // Arrays are parallel: points with vertexSource, triangles with faceSource and, unless it is empty,
 // faux. Triangles index `points`. A vertexSource is an input vertex or a curve point.
 struct SourcedMesh {
@@ -26,6 +35,7 @@ struct SourcedMesh {
 	HugeVector<FaceSource> faceSource;
 	std::vector<std::uint8_t> faux;  // as in MeshArrays; empty if no face has a faux edge
 	std::size_t zeroAreaFacesRemoved = 0;
+	Certificate certificate;
 };
 
 }  // namespace index_boolean

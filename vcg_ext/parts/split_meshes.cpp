@@ -7,6 +7,7 @@
 
 #include "vcg_ext/arrange/places.h"
 #include "vcg_ext/base/parallel.h"
+#include "vcg_ext/carry/certificates.h"
 #include "vcg_ext/carry/polygons.h"
 #include "vcg_ext/mesh/clean.h"
 
@@ -35,8 +36,8 @@ public:
 	// Makes room for faces to be chosen.
 	void expect(std::size_t faceCount) { chosen_.reserve(faceCount); }
 	void choose(const ChosenFace& face) { chosen_.push_back(face); }
-	// Makes the mesh of the chosen faces.
-	Status run();
+	// Makes the mesh of the chosen faces. \param isBlock they bound one sub-block
+	Status run(bool isBlock);
 
 private:
 	void listVertices();
@@ -44,6 +45,8 @@ private:
 	Status placeVertices();
 	Status writeFaces();
 	Status clean();
+	std::vector<std::uint32_t> subSurfaceOfFaces() const;
+	Status certify(bool isBlock);
 	Status markPolygons();
 	std::array<std::int32_t, 2> besideOf(const ChosenFace& face) const;
 
@@ -128,14 +131,27 @@ Status SplitMeshCollector::clean() {
 	return status;
 }
 
+// Per face, the number of its sub-surface.
+std::vector<std::uint32_t> SplitMeshCollector::subSurfaceOfFaces() const {
+	std::vector<std::uint32_t> part;
+	for (const SubSurfaceId id : out_.subSurface) {
+		part.push_back(id.value);
+	}
+	return part;
+}
+
+// Of a sub-block as a whole; of sub-surfaces each.
+Status SplitMeshCollector::certify(bool isBlock) {
+	const std::vector<std::uint32_t> part =
+	    isBlock ? std::vector<std::uint32_t>{} : subSurfaceOfFaces();
+	return index_boolean::certify(arrangement_, out_, part, monitor_, out_.certificate);
+}
+
 // Polygons end where sub-surfaces do.
 Status SplitMeshCollector::markPolygons() {
-	std::vector<std::uint32_t> part;
-	if (!arrangement_.polygons.polygon.empty()) {
-		for (const SubSurfaceId id : out_.subSurface) {
-			part.push_back(id.value);
-		}
-	}
+	const bool anyPolygon = !arrangement_.polygons.polygon.empty();
+	const std::vector<std::uint32_t> part =
+	    anyPolygon ? subSurfaceOfFaces() : std::vector<std::uint32_t>{};
 	return findFauxEdges(arrangement_, part, monitor_, out_);
 }
 
@@ -159,9 +175,10 @@ Status SplitMeshCollector::writeFaces() {
 	return parallelFor(n, kGrain, arrangement_.options.threads, monitor_, write);
 }
 
-Status SplitMeshCollector::run() {
+Status SplitMeshCollector::run(bool isBlock) {
 	return inOrder([this] { return placeVertices(); }, [this] { return writeFaces(); },
-	               [this] { return clean(); }, [this] { return markPolygons(); });
+	               [this] { return clean(); }, [this, isBlock] { return certify(isBlock); },
+	               [this] { return markPolygons(); });
 }
 
 }  // namespace
@@ -184,7 +201,7 @@ Status collectSubSurfaces(const Arrangement& arrangement, const SubSurfaces& sur
 		}
 	};
 	const Status status = inOrderFor(faces.size(), kGrain, monitor, choose);
-	return status.ok() ? collector.run() : status;
+	return status.ok() ? collector.run(false) : status;
 }
 
 Status collectSubBlock(const Arrangement& arrangement, const SubSurfaces& surfaces,
@@ -205,7 +222,7 @@ Status collectSubBlock(const Arrangement& arrangement, const SubSurfaces& surfac
 			collector.choose({face, {surfaces.complex.faces[face].source(), turned}, turned});
 		}
 	}
-	return collector.run();
+	return collector.run(true);
 }
 
 }  // namespace index_boolean

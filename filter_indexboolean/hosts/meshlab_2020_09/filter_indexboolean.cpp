@@ -27,6 +27,14 @@ void addLayerParameter(const ParameterDefinition& definition, MeshDocument& docu
 	}
 }
 
+QStringList choicesOf(const ParameterDefinition& definition) {
+	QStringList choices;
+	for (const char* choice : definition.choices) {
+		choices.append(choice);
+	}
+	return choices;
+}
+
 void addParameter(const ParameterDefinition& definition, MeshDocument& document,
                   RichParameterList& list) {
 	switch (definition.kind) {
@@ -40,6 +48,10 @@ void addParameter(const ParameterDefinition& definition, MeshDocument& document,
 	case ParameterKind::Int:
 		list.addParam(
 		    RichInt(definition.name, definition.defaultValue, definition.label, definition.help));
+		break;
+	case ParameterKind::Choice:
+		list.addParam(RichEnum(definition.name, definition.defaultValue, choicesOf(definition),
+		                       definition.label, definition.help));
 		break;
 	}
 }

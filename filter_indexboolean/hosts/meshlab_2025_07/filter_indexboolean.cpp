@@ -26,6 +26,14 @@ unsigned int defaultLayer(const ParameterDefinition& definition, const MeshDocum
 	return static_cast<unsigned int>(ids[std::min(position, ids.size() - 1)]);
 }
 
+QStringList choicesOf(const ParameterDefinition& definition) {
+	QStringList choices;
+	for (const char* choice : definition.choices) {
+		choices.append(choice);
+	}
+	return choices;
+}
+
 void addParameter(const ParameterDefinition& definition, const MeshDocument& document,
                   RichParameterList& list) {
 	switch (definition.kind) {
@@ -40,6 +48,10 @@ void addParameter(const ParameterDefinition& definition, const MeshDocument& doc
 	case ParameterKind::Int:
 		list.addParam(RichInt(definition.name, definition.defaultValue, definition.label,
 		                      definition.help, definition.advanced));
+		break;
+	case ParameterKind::Choice:
+		list.addParam(RichEnum(definition.name, definition.defaultValue, choicesOf(definition),
+		                       definition.label, definition.help, definition.advanced));
 		break;
 	}
 }
