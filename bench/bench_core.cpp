@@ -50,6 +50,7 @@ struct CommandLine {
 	std::uint32_t cancels = 0;             // how many; 0: not asked
 	std::vector<std::uint32_t> hardSizes;  // per hard input; 0: not asked
 	bool boxes = false, attributes = false, oneOperation = false, sizes = false, certify = false;
+	bool checkSelfIntersections = false;
 	std::string placement = "none";
 	std::array<std::vector<double>, 2> transforms;  // 12 or 16 numbers, or none
 	Operation operation = Operation::Union;
@@ -141,6 +142,15 @@ const std::vector<HardInput> kHardInputs{
 	     return {index_boolean_bench::makePinwheel(count), cubeAt({1, 0, 0}, 0.01)};
      }},
 };
+
+// What the core is asked for.
+Options optionsOf(const CommandLine& commandLine) {
+	Options options;
+	options.threads = commandLine.threads;
+	options.checkSelfIntersections = commandLine.checkSelfIntersections;
+	options.certify = commandLine.certify;
+	return options;
+}
 
 // The hard input that is asked for, or none.
 const HardInput* hardInput(const CommandLine& commandLine, std::uint32_t& size) {
@@ -424,13 +434,6 @@ std::size_t residentMemory(const std::string& line) {
 // Makes VmHWM start again from VmRSS.
 void resetPeakMemory() { std::ofstream("/proc/self/clear_refs") << "5"; }
 
-Options optionsOf(const CommandLine& commandLine) {
-	Options options;
-	options.threads = commandLine.threads;
-	options.certify = commandLine.certify;
-	return options;
-}
-
 // Medians over the runs after the warm-up; blocks and loops of the last run (all are equal).
 // \return a refusal's status, else Ok
 Status measure(const CommandLine& commandLine, const Operands& operands,
@@ -561,6 +564,8 @@ CommandLine parse(int argc, char** argv) {
 	             "Certifies what is delivered, as hosts do; off, so that commits compare");
 	app.add_flag("--attributes", out.attributes,
 	             "Times also where all attributes of the blocks' elements come from");
+	app.add_flag("--check-self-intersections", out.checkSelfIntersections,
+	             "Times also the search of both operands for faces that meet wrongly");
 	app.add_option("--threads", out.threads, "0: as many as OpenMP gives")
 	    ->check(CLI::NonNegativeNumber);
 	app.add_option("--runs", out.runs, "Timed runs, of which the median is taken")

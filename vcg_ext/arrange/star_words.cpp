@@ -71,9 +71,9 @@ void findLinks(const EightFaces& eight, EightWords& out) {
 		const auto& to = eight.place[(corner + 2) % 3];
 		for (unsigned axis = 0; axis < 3; ++axis) {
 			for (std::size_t i = 0; i < 8; ++i) {
-				const bool comesUp =
-				    bool(from[axis][i] < at[axis][i]) & bool(to[axis][i] >= at[axis][i]);
-				out.comeUp[corner][i] |= comesUp ? 1U << (kOnce + axis) : 0U;
+				const std::uint32_t isFromBelow = from[axis][i] < at[axis][i] ? 1U : 0U;
+				const std::uint32_t isToAbove = to[axis][i] >= at[axis][i] ? 1U : 0U;
+				out.comeUp[corner][i] |= (isFromBelow & isToAbove) << (kOnce + axis);
 			}
 		}
 	}
