@@ -36,18 +36,25 @@ class Verdict:
 
     crossing: frozenset  # meet others away from common edges
     folded: frozenset  # lie on others from a common edge on, or on the same three corners
-    flat: frozenset  # have no area
-    needles: int
+    flat: frozenset  # have three different corners on a line
+    collapsed: frozenset  # have two corners in one place: none, to most readers of files
+    needles: int  # how many; flat and collapsed faces, too
 
     @property
     def wrong(self):
         """The faces concerned: none, and the surface holds as it is stored."""
-        return self.crossing | self.folded | self.flat
+        return self.crossing | self.folded | self.flat | self.collapsed
+
+    @property
+    def meeting(self):
+        """How many are wrong but for those that have collapsed, which most readers leave out."""
+        return len(self.wrong - self.collapsed)
 
     def __str__(self):
         return (
             f"{len(self.wrong)} wrong faces ({len(self.crossing)} cross, {len(self.folded)} fold, "
-            f"{len(self.flat)} are flat), {self.needles} needles"
+            f"{len(self.flat)} are flat, {len(self.collapsed)} have equal corners), "
+            f"{self.needles} needles"
         )
 
 
@@ -57,15 +64,17 @@ class Verdict:
 def judge(vertices, faces):
     """The verdict on a mesh, with its coordinates as they are given."""
     points, faces = welded(vertices, faces)
-    flat = frozenset(zero_area_faces(points, faces).tolist())
-    kept = np.setdiff1d(np.arange(len(faces)), sorted(flat))
-    # A flat face whose corners differ still is in the way of others.
     corners = np.sort(faces, axis=1)
-    solid = np.flatnonzero((corners[:, 1:] != corners[:, :-1]).all(axis=1))
+    # A flat face whose corners differ is in the way of others; one that has collapsed is not.
+    differ = (corners[:, 1:] != corners[:, :-1]).all(axis=1)
+    (solid,), (collapsed,) = np.nonzero(differ), np.nonzero(~differ)
+    flat = np.setdiff1d(zero_area_faces(points, faces), collapsed)
+    kept = np.setdiff1d(solid, flat)
     return Verdict(
         frozenset(solid[_crossing(points, faces[solid])].tolist()),
         frozenset(kept[_folded(points, faces[kept])].tolist()),
-        flat,
+        frozenset(flat.tolist()),
+        frozenset(collapsed.tolist()),
         needles(points, faces),
     )
 
@@ -90,7 +99,7 @@ def without_collapsed_faces(vertices, faces):
 def _crossing(points, faces):
     # Which faces libigl lists in a pair.
     if len(faces) == 0:
-        return []
+        return np.empty(0, dtype=np.int64)
     found = igl.copyleft.cgal.remesh_self_intersections(
         points, np.ascontiguousarray(faces), detect_only=True, cutoff=_PLENTY
     )[2]

@@ -1,0 +1,216 @@
+# SPDX-FileCopyrightText: 2026 The Index Boolean authors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Whether results hold as they are stored: the faces that meet others wrongly or have no area, of
+the pairs of fold_pairs.py, this project's four blocks beside other libraries' unions.
+
+in: the built plugin; out: a table in Markdown: as delivered in double / with the coordinates
+rounded to floats afterwards, and of a host in float as delivered. With --angles, of one cut the
+histogram of the faces' smallest angles. Each system runs in its own process, so that a crash or a
+run over the limit is an entry of the table and not the end.
+"""
+
+import argparse
+import json
+import signal
+import subprocess
+import sys
+from pathlib import Path
+
+import numpy as np
+
+from chain_worker import (
+    BLOCKS, CORE_BLOCKS, FloatHost, fold_pairs, judges, peers, sentence_of,
+)
+from chains import PLUGIN, shortened
+from compare import OPERATION_SIGNS, markdown, processor
+
+PEERS = ("Manifold", "trueform", "CGAL", "MeshLib", "libigl")
+OWN = ("here", "float host")
+SIGNS = {**OPERATION_SIGNS, "first_minus_second": "A−B", "second_minus_first": "B−A"}
+ANGLES = (0, 1e-9, 1e-6, 1e-3, 0.01, 0.1, 1, 5, 10, 20, 30, 60)  # degrees
+
+
+# --- in the process of a system -------------------------------------------------------------------
+
+
+class AllBlocks(peers.IndexBooleanFilter):
+    """This project's filter: the four blocks by name."""
+
+    def blocks(self):
+        self.prepare()
+        result = self.document.apply_filter("generate_index_boolean", first_mesh=0, second_mesh=1)
+        return {block: self.arrays(int(result[f"{block}_layer"])) for block in BLOCKS}
+
+
+def blocks_by(system, operands, wanted):
+    """{block: (V, F)}: all four of this project, the one that is wanted of a peer."""
+    if system in OWN:
+        return {"here": AllBlocks, "float host": FloatHost}[system](*operands, "union").blocks()
+    peer = peers.PEERS[system](*operands, wanted)
+    return {wanted: peer.arrays(peer.run())}
+
+
+def work(args):
+    """Prints what a system makes of a pair, as JSON."""
+    peers.IndexBooleanFilter.plugin = args.plugin
+    FloatHost.program = args.core_blocks
+    signal.setitimer(signal.ITIMER_REAL, args.limit)
+    try:
+        blocks = blocks_by(args.worker, fold_pairs.load_pair(args.pair), args.block)
+    except Exception as error:
+        peers.emit(error=sentence_of(error))
+        return
+    signal.setitimer(signal.ITIMER_REAL, 0)
+    if args.angles:
+        peers.emit(**angles_of(*blocks[args.block]))
+        return
+    peers.emit(blocks={block: judgement(*mesh) for block, mesh in blocks.items()})
+
+
+def judgement(points, triangles):
+    """Wrong faces as stored but for those with equal corners, wrong faces as floats, needles, those
+    with equal corners, all faces."""
+    stored, rounded = judges.judge(points, triangles), judges.judge_as_float(points, triangles)
+    collapsed = len(stored.collapsed)
+    return [stored.meeting, len(rounded.wrong), stored.needles, collapsed, len(triangles)]
+
+
+def angles_of(points, triangles):
+    """How many faces have their smallest angle in each span of ANGLES."""
+    angles = judges.smallest_angles(points, triangles)
+    found = np.histogram(angles, bins=[*ANGLES[:-1], np.inf])[0]
+    return {"faces": len(triangles), "angles": found.tolist(), "median": float(np.median(angles))}
+
+
+# --- the tables -----------------------------------------------------------------------------------
+
+
+def ask(args, system, pair):
+    """What the process of a system prints; or {"error": why it printed nothing}."""
+    command = [
+        sys.executable, __file__, "--worker", system, "--pair", pair, "--block", args.block,
+        "--limit", str(args.limit), "--plugin", args.plugin, "--core-blocks", args.core_blocks,
+    ] + (["--angles", pair] if args.angles else [])
+    done = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True)
+    for line in done.stdout.splitlines():
+        if line.startswith("{"):
+            return json.loads(line)
+    if done.returncode == -signal.SIGALRM:
+        return {"error": f"> {args.limit:g} s"}
+    name = signal.Signals(-done.returncode).name if done.returncode < 0 else "no result"
+    return {"error": name}
+
+
+def cell(answer, system):
+    """The blocks' wrong faces: as stored / as floats; a host in float stores floats."""
+    if "error" in answer:
+        return shortened(answer["error"], 40)
+    blocks = answer["blocks"].values()
+    stored = [f"{block[0]}+{block[3]}" if block[3] else str(block[0]) for block in blocks]
+    if system == "float host":
+        return ", ".join(stored)
+    return ", ".join(f"{text}/{block[1]}" for text, block in zip(stored, blocks))
+
+
+def needles_cell(answer):
+    return "" if "error" in answer else ", ".join(str(b[2]) for b in answer["blocks"].values())
+
+
+def pair_line(args, pair, answers):
+    line = [pair]
+    for system in args.systems:
+        line.append(cell(answers[system], system))
+        if system == "here":
+            line.append(needles_cell(answers[system]))
+    return line
+
+
+def hold_page(args, lines):
+    own = {"here": ["here ∪, ∩, A−B, B−A", "its needles"], "float host": ["in a float host"]}
+    headers = ["pair"]
+    for system in args.systems:
+        headers += own.get(system, [f"{system} {SIGNS[args.block]}"])
+    return (
+        f"{processor()}. Faces that meet others in more than common corners and edges, or have no "
+        "area: as delivered in double / with the coordinates rounded to floats afterwards. "
+        "After a +: faces with two corners in one place, which rounding takes away.\n\n"
+        + markdown(headers, lines) + "\n"
+    )
+
+
+def angle_page(args, answers):
+    spans = [f"below {high:g}°" for high in ANGLES[1:]]
+    lines = []
+    for system, answer in answers.items():
+        if "error" in answer:
+            lines.append([system, shortened(answer["error"], 40)] + [""] * (len(spans) + 1))
+            continue
+        counts = [str(count) if count else "" for count in answer["angles"]]
+        lines.append([system, str(answer["faces"]), f"{answer['median']:.3g}°", *counts])
+    title = f"{args.angles}, {SIGNS[args.block]}: faces by their smallest angle, each counted once"
+    return f"{title}\n\n" + markdown(["system", "faces", "median", *spans], lines) + "\n"
+
+
+def parse_arguments():
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    add = parser.add_argument
+    add("--pairs", default="", help="only pairs whose name contains this")
+    add("--systems", default=",".join((*OWN, *PEERS[:-1])), help="comma-separated")
+    add("--block", default=None, choices=BLOCKS[:3], help="of the peers; default: union")
+    add("--angles", metavar="PAIR", help="histogram of one pair's smallest angles, of A − B")
+    add("--limit", type=float, default=60, help="seconds for a system and a pair")
+    add("--page", type=Path, help="file for the table, in Markdown")
+    add("--json", type=Path, help="file for all figures")
+    add("--plugin", default=str(PLUGIN), help="the plugin's file")
+    add("--core-blocks", default=str(CORE_BLOCKS), help="the built core_blocks, for the float host")
+    add("--worker", help=argparse.SUPPRESS)
+    add("--pair", help=argparse.SUPPRESS)
+    args = parser.parse_args()
+    args.systems = args.systems.split(",")
+    unknown = set(args.systems) - {*OWN, *PEERS}
+    if unknown:
+        parser.error(f"no system {', '.join(sorted(unknown))}")
+    args.block = args.block or ("first_minus_second" if args.angles else "union")
+    return args
+
+
+def chosen_pairs(args):
+    """Those with the text in their names; other people's only where their folder is."""
+    names = [args.angles] if args.angles else [n for n in fold_pairs.PAIR_NAMES if args.pairs in n]
+    unknown = set(names) - set(fold_pairs.PAIR_NAMES)
+    if unknown or not names:
+        sys.exit(f"there are the pairs {'; '.join(fold_pairs.PAIR_NAMES)}")
+    folder = fold_pairs.placements.meshes_folder()
+    absent = [name for name in names if fold_pairs.needs_meshes(name) and not folder]
+    if absent:
+        print(f"{fold_pairs.placements.MESHES_VARIABLE} is not set: left out are "
+              f"{'; '.join(absent)}", file=sys.stderr)
+    return [name for name in names if name not in absent]
+
+
+def main():
+    args = parse_arguments()
+    if args.worker:
+        return work(args)
+    lines, everything = [], {}
+    for pair in chosen_pairs(args):
+        answers = {}
+        for system in args.systems:
+            print(f"{pair}: {system}", file=sys.stderr, flush=True)
+            answers[system] = ask(args, system, pair)
+        everything[pair] = answers
+        # After every pair, so that a run that is ended early leaves what it has.
+        if args.angles:
+            text = angle_page(args, answers)
+        else:
+            lines.append(pair_line(args, pair, answers))
+            text = hold_page(args, lines)
+        if args.page:
+            args.page.write_text(text, encoding="utf-8")
+        if args.json:
+            args.json.write_text(json.dumps(everything, indent=1) + "\n", encoding="utf-8")
+    print(text)
+
+
+if __name__ == "__main__":
+    main()
