@@ -5,8 +5,10 @@
 // never swap two numbers: a point that two faces have in common lies in a cell of both.
 #include "vcg_ext/arrange/near_faces.h"
 
+#include "vcg_ext/base/index_table.h"
 #include "vcg_ext/base/parallel.h"
 #include "vcg_ext/exact/bounding_box.h"
+#include "vcg_ext/exact/coordinate_hash.h"
 
 #include <algorithm>
 #include <array>
@@ -41,14 +43,20 @@ public:
 		}
 	}
 
-	bool isNear(const BoundingBox& box) const {
-		bool meets = true;
+	// Whether a face may reach one of the cells. Most do not reach their common box: one axis
+	// often tells.
+	bool isNear(const FacesView& faces, std::size_t face) const {
+		const IndexTriangle t = faces[face];
+		const Point &p = faces.point(t[0]), &q = faces.point(t[1]), &r = faces.point(t[2]);
 		for (std::size_t axis = 0; axis < 3; ++axis) {
-			meets &= box.lo[axis] <= box_.hi[axis] && box.hi[axis] >= box_.lo[axis];
+			if (std::max({p[axis], q[axis], r[axis]}) < box_.lo[axis] ||
+			    std::min({p[axis], q[axis], r[axis]}) > box_.hi[axis]) {
+				return false;
+			}
 		}
-		return meets && anyRow(rangeOf(box), [this](std::size_t row, std::uint64_t cells) {
-			       return (rows_[row] & cells) != 0;
-		       });
+		return anyRow(rangeOf(boxOf(faces, face)), [this](std::size_t row, std::uint64_t cells) {
+			return (rows_[row] & cells) != 0;
+		});
 	}
 
 	void add(const BoundingBox& box) {
@@ -128,6 +136,22 @@ private:
 	std::vector<std::uint64_t> words_, before_;
 };
 
+// Corners in one place get one index, that of the first of them.
+void weld(FacesApart& faces) {
+	const Points& points = faces.points;
+	IndexTable table(points.size());
+	std::vector<std::uint32_t> keeper(points.size());
+	for (std::uint32_t v = 0; v < keeper.size(); ++v) {
+		const auto isThere = [&](std::uint32_t w) { return points[w] == points[v]; };
+		std::uint32_t& slot = table.slotOf(coordinateHash(points[v]), isThere);
+		slot = slot == IndexTable::kNone ? v : slot;
+		keeper[v] = slot;
+	}
+	for (IndexTriangle& t : faces.triangles) {
+		t = {keeper[t[0]], keeper[t[1]], keeper[t[2]]};
+	}
+}
+
 }  // namespace
 
 Status findNearFaces(const FacesView& faces, const std::vector<std::uint8_t>& isSuspect,
@@ -154,7 +178,7 @@ Status findNearFaces(const FacesView& faces, const std::vector<std::uint8_t>& is
 	    parallelForChunks(faces.count(), kGrain, threads, monitor,
 	                      [&](std::size_t chunk, std::size_t begin, std::size_t end) {
 		                      for (std::size_t face = begin; face < end; ++face) {
-			                      if (isSuspect[face] != 0 || grid.isNear(boxOf(faces, face))) {
+			                      if (isSuspect[face] != 0 || grid.isNear(faces, face)) {
 				                      parts[chunk].push_back(static_cast<std::uint32_t>(face));
 			                      }
 		                      }
@@ -182,6 +206,7 @@ void copyFaces(const FacesView& faces, const std::vector<std::uint32_t>& which, 
 			out.points[v] = faces.point(t[corner]);
 		}
 	}
+	weld(out);
 }
 
 }  // namespace index_boolean

@@ -28,7 +28,8 @@ struct FacesApart {
 	IndexTriangles triangles;
 };
 
-// Copies faces. \param which ascending \param out replaced
+// Copies faces; corners in one place become one.
+// \param which ascending \param out replaced
 // Throws std::bad_alloc. Complexity: O(v / 64 + m) for v points and m faces.
 void copyFaces(const FacesView& faces, const std::vector<std::uint32_t>& which, FacesApart& out);
 

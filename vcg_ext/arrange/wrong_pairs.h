@@ -42,7 +42,7 @@ Status findWrongPairs(const FacesView& faces, const WrongPairOptions& options, M
                       WrongPairs& out);
 
 // The same, but only pairs with a suspect face are found, and suspect zero-area faces: of a surface
-// of which all other pairs are known.
+// of which all other pairs are known. It need not be welded.
 // \param isSuspect per face, not 0: suspect
 // \return as above. Complexity: one pass over the faces; then as above, for the suspect faces and
 // those near them.

@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Index Boolean authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Welding only takes pairs away: what meets wrongly with equal coordinates as one vertex does so
-// with copies too. So copies are left alone at first, and welded where pairs have been found.
+// Only a face with a rounded corner can have come to meet another one wrongly.
 #include "vcg_ext/carry/certificates.h"
 
 #include "vcg_ext/arrange/wrong_pairs.h"
@@ -31,45 +30,19 @@ Status findSuspects(const Arrangement& arrangement, const SourcedMesh& mesh, Mon
                     std::vector<std::uint8_t>& isSuspect) {
 	constexpr std::size_t kGrain = 1 << 14;
 	isSuspect.resize(mesh.triangles.size());
+	const auto isRoundedSource = [&arrangement](VertexId v) { return isRounded(arrangement, v); };
+	const auto first = static_cast<std::uint32_t>(
+	    std::find_if(mesh.vertexSource.begin(), mesh.vertexSource.end(), isRoundedSource) -
+	    mesh.vertexSource.begin());  // in blocks, most vertices come before it
 	return parallelFor(isSuspect.size(), kGrain, arrangement.options.threads, monitor,
 	                   [&](std::size_t begin, std::size_t end) {
 		                   for (std::size_t f = begin; f < end; ++f) {
 			                   const IndexTriangle& t = mesh.triangles[f];
 			                   isSuspect[f] = std::any_of(t.begin(), t.end(), [&](std::uint32_t v) {
-				                   return isRounded(arrangement, mesh.vertexSource[v]);
+				                   return v >= first && isRoundedSource(mesh.vertexSource[v]);
 			                   });
 		                   }
 	                   });
-}
-
-// The same triangles, with one index for each place at which some faces have corners.
-IndexTriangles welded(const SourcedMesh& mesh, const std::vector<FacePair>& pairs) {
-	std::vector<std::uint32_t> vertices;
-	for (const FacePair& pair : pairs) {
-		for (const FaceId face : {pair.a, pair.b}) {
-			const IndexTriangle& t = mesh.triangles[face.value];
-			vertices.insert(vertices.end(), t.begin(), t.end());
-		}
-	}
-	const Points& points = mesh.points;
-	std::sort(vertices.begin(), vertices.end(), [&points](std::uint32_t v, std::uint32_t w) {
-		return points[v] != points[w] ? points[v] < points[w] : v < w;
-	});
-	std::vector<std::uint32_t> keeper(points.size());
-	for (std::uint32_t v = 0; v < keeper.size(); ++v) {
-		keeper[v] = v;
-	}
-	for (std::size_t i = 1; i < vertices.size(); ++i) {
-		if (points[vertices[i]] == points[vertices[i - 1]]) {
-			keeper[vertices[i]] = keeper[vertices[i - 1]];
-		}
-	}
-	IndexTriangles triangles;
-	triangles.reserve(mesh.triangles.size());
-	for (const IndexTriangle& t : mesh.triangles) {
-		triangles.push_back({keeper[t[0]], keeper[t[1]], keeper[t[2]]});
-	}
-	return triangles;
 }
 
 // Takes away pairs of faces of different parts.
@@ -103,18 +76,13 @@ Status certify(const Arrangement& arrangement, const SourcedMesh& mesh,
 	options.threads = arrangement.options.threads;
 	std::vector<std::uint8_t> isSuspect;
 	WrongPairs found;
-	const auto search = [&](const IndexTriangles& triangles) {
-		const FacesView faces(mesh.points, triangles.data(), triangles.size());
-		const Status searched = findWrongPairsAmong(faces, isSuspect, options, monitor, found);
-		if (!part.empty()) {
-			leaveWithinParts(part, found.pairs);
-		}
-		return searched;
-	};
+	const FacesView faces(mesh.points, mesh.triangles.data(), mesh.triangles.size());
 	const Status status =
 	    inOrder([&] { return findSuspects(arrangement, mesh, monitor, isSuspect); },
-	            [&] { return search(mesh.triangles); },
-	            [&] { return found.pairs.empty() ? Status{} : search(welded(mesh, found.pairs)); });
+	            [&] { return findWrongPairsAmong(faces, isSuspect, options, monitor, found); });
+	if (!part.empty()) {
+		leaveWithinParts(part, found.pairs);
+	}
 	out.isKnown = status.ok();
 	out.faces = facesOf(found);
 	return status;

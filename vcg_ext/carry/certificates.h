@@ -21,8 +21,7 @@ namespace index_boolean {
 // \param part  per face; empty if all are one. Each part is judged by itself
 // \param out   replaced; not known with options.certify off
 // \return Ok, Cancelled, OutOfMemory, InternalError
-// Complexity: one pass over the faces, then that of findWrongPairsAmong; twice where the mesh has
-// copies of vertices next to rounded ones. In parallel.
+// Complexity: one pass over the faces, then that of findWrongPairsAmong. In parallel.
 Status certify(const Arrangement& arrangement, const SourcedMesh& mesh,
                const std::vector<std::uint32_t>& part, Monitor& monitor, Certificate& out);
 
