@@ -20,6 +20,8 @@ def run_boolean_job(job, blocks, file_format, **parameters):
     the messages that it logged). Raises as Job.
     """
     parameters.update((block, block in blocks) for block in BLOCKS)
+    # A certificate is of the numbers as they are kept: those of STL have single precision.
+    parameters.setdefault("certify_as", "float" if file_format == "stl" else "host")
     result, messages = job.run("generate_index_boolean", **parameters)
     files = {block: f"{block}.{file_format}" for block in BLOCKS if block in blocks}
     for block, file in files.items():

@@ -81,6 +81,14 @@ def _add_filter_option(command, name, *flags, **details):
     command.get_default("filter_options").append(name)
 
 
+def _add_certify(command):
+    _add_filter_option(
+        command, "certify", "--no-certify", action="store_false",
+        help="do not search whether the results hold as they are stored, nor move new points by "
+        "units in the last place until they do",
+    )
+
+
 def _add_boolean(commands):
     command = _add_pair_command(
         commands, "boolean", _run_boolean,
@@ -113,6 +121,7 @@ def _add_boolean_options(command):
         command, "weld_non_manifold", "--weld-non-manifold", action="store_true",
         help="where a block meets itself keep one vertex instead of copies (edges with four faces)",
     )
+    _add_certify(command)
 
 
 def _add_split(commands):
@@ -136,6 +145,7 @@ def _add_split(commands):
         command, "max_layers", "--max-files", type=int, default=64, metavar="N",
         help="more pieces than this go into one file a kind (default: 64)",
     )
+    _add_certify(command)
 
 
 def _add_curves(commands):

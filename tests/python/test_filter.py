@@ -35,7 +35,9 @@ STAGES = (
     "blocks",
     "manifold_copies",
     "merge_fragments",
+    "delaunay_pieces",
     "clean",
+    "certificates",
     "polygons",
     "audit",
     "attributes",
@@ -316,6 +318,7 @@ class TestResultMap:
                 "faces": int,
                 "components": int,
                 "closed": bool,
+                "self_intersections": int,
             }
             expected.update({f"{block}_{name}": kind for name, kind in types.items()})
         for name in ("read_layers", "write_layers", "core", "total", *STAGES):

@@ -163,6 +163,7 @@ class TestResultMap:
         for kind in BLOCKS:
             expected.update({f"{kind}_layer": int, f"{kind}_layers": np.ndarray})
             expected[f"{kind}_areas"] = np.ndarray
+            expected[f"{kind}_self_intersections"] = np.ndarray
         for name in OPERANDS:
             for what in ("public", "one_sided", "boundary_cycles", "separating"):
                 expected[f"sub_surfaces_{name}_{what}"] = np.ndarray
