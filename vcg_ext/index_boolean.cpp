@@ -10,6 +10,7 @@
 #include "vcg_ext/arrange/loops.h"
 #include "vcg_ext/arrange/octree_pairs.h"
 #include "vcg_ext/arrange/operands.h"
+#include "vcg_ext/arrange/repair_places.h"
 #include "vcg_ext/arrange/retriangulate.h"
 #include "vcg_ext/arrange/self_intersections.h"
 #include "vcg_ext/arrange/triangle_contact.h"
@@ -169,7 +170,8 @@ Status arrangeFor(Purpose purpose, MeshArrays input, const Options& options, Mon
 		           [&] { return numberCurvePoints(out, contacts, monitor, vertexOfName); });
 		stages.run("cut_lines", 0.05,
 		           [&] { return findCutLines(out, contacts, vertexOfName, monitor); });
-		stages.run("retriangulate", 0.1, [&] { return retriangulate(out, monitor); });
+		stages.run("retriangulate", 0.08, [&] { return retriangulate(out, monitor); });
+		stages.run("repair_places", 0.02, [&] { return repairPlaces(out, monitor); });
 		stages.run("loops", 0.05, [&] { return traceLoops(out, monitor); });
 		if (forBlocks) {
 			stages.run("labels", 0.05, [&] { return labelArrangement(out, monitor); });

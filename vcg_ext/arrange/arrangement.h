@@ -10,6 +10,7 @@
 #include "vcg_ext/mesh/element_counts.h"
 #include "vcg_ext/mesh/mesh_arrays.h"
 
+#include <map>
 #include <string>
 
 namespace index_boolean {
@@ -26,7 +27,8 @@ struct Options {
 	bool mergeCoplanar = false;    // and coplanar neighbours become one face, as far as they can
 	bool weldNonManifold = false;  // where a block meets itself, it keeps one vertex, not copies
 	bool checkSelfIntersections = false;  // search each operand for faces that meet wrongly
-	bool certify = true;                  // say of each delivered mesh whether it holds as stored
+	bool certify =
+	    true;  // repair places so that what is delivered holds as stored, and say if it does
 	// How many there may be of anything that a run numbers: vertices, faces, points of contact,
 	// pieces; of corners and label nodes, twice as many. More is TooLarge. Raising it does nothing.
 	std::size_t mostElements = kMostElements;
@@ -206,6 +208,17 @@ struct Polygons {
 	    flatEdges;  // edges inside such a set: lower, higher; sorted
 };
 
+// What became of the faces of both refined surfaces that, as stored, meet others wrongly or have no
+// area: the faces concerned.
+struct PlaceRepair {
+	std::size_t concernedBefore = 0, concernedAfter = 0;  // faces
+	std::size_t faultsBefore = 0, faultsAfter = 0;        // pairs that meet wrongly, flat faces
+	std::size_t rounds = 0;                               // over all clusters of such faces
+	std::size_t trials = 0;
+	double largestMove = 0;  // how far a vertex is stored from its correctly rounded place
+	bool isGivenUp = false;  // there were too many faces, or trials: some have not been tried
+};
+
 struct Arrangement {
 	// [operands], as the caller gave them
 	Options options;
@@ -225,6 +238,10 @@ struct Arrangement {
 	Curve curve;
 	// [retriangulate]
 	Refinement refinement;
+	// [repair_places]: where a vertex is stored, if not in its correctly rounded place; almost
+	// always empty. Exact signs do not know of it.
+	std::map<VertexId, Point> movedPlaces;
+	PlaceRepair placeRepair;
 	// [loops]; empty where the operands do not meet
 	std::vector<Loop> loops;
 	LoopCounts loopCounts;

@@ -69,10 +69,11 @@ bool FacePoints::isBefore(std::uint32_t a, std::uint32_t b) const {
 }
 
 void FacePoints::findPlaces() {
-	const bool isDouble = arrangement_.options.outputScalar == OutputScalar::Double;
+	const bool isRounded = arrangement_.options.outputScalar == OutputScalar::Double &&
+	                       arrangement_.movedPlaces.empty();
 	places_.clear();
 	for (const std::uint32_t i : order_) {
-		if (isDouble) {
+		if (isRounded) {
 			places_.push_back({rounded_[i].x.value, rounded_[i].y.value});
 		} else {
 			const Point stored = outputCoordinates(arrangement_, points_[i].id);

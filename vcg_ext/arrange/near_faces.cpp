@@ -156,21 +156,26 @@ void weld(FacesApart& faces) {
 
 Status findNearFaces(const FacesView& faces, const std::vector<std::uint8_t>& isSuspect,
                      int threads, Monitor& monitor, std::vector<std::uint32_t>& out) {
-	out.clear();
 	std::vector<BoundingBox> suspects;
 	for (std::size_t face = 0; face < faces.count(); ++face) {
 		if (isSuspect[face] != 0) {
 			suspects.push_back(boxOf(faces, face));
 		}
 	}
-	CellGrid grid(joinedBox(suspects.data(), suspects.size()));
+	return findFacesNear(faces, suspects, threads, monitor, out);  // a box is near itself
+}
+
+Status findFacesNear(const FacesView& faces, const std::vector<BoundingBox>& boxes, int threads,
+                     Monitor& monitor, std::vector<std::uint32_t>& out) {
+	out.clear();
+	CellGrid grid(joinedBox(boxes.data(), boxes.size()));
 	const Status status =
-	    inOrderFor(suspects.size(), kGrain, monitor, [&](std::size_t begin, std::size_t end) {
-		    std::for_each(suspects.begin() + static_cast<std::ptrdiff_t>(begin),
-		                  suspects.begin() + static_cast<std::ptrdiff_t>(end),
+	    inOrderFor(boxes.size(), kGrain, monitor, [&](std::size_t begin, std::size_t end) {
+		    std::for_each(boxes.begin() + static_cast<std::ptrdiff_t>(begin),
+		                  boxes.begin() + static_cast<std::ptrdiff_t>(end),
 		                  [&grid](const BoundingBox& box) { grid.add(box); });
 	    });
-	if (!status.ok() || suspects.empty()) {
+	if (!status.ok() || boxes.empty()) {
 		return status;
 	}
 	std::vector<std::vector<std::uint32_t>> parts(chunkCount(faces.count(), kGrain));
@@ -178,7 +183,7 @@ Status findNearFaces(const FacesView& faces, const std::vector<std::uint8_t>& is
 	    parallelForChunks(faces.count(), kGrain, threads, monitor,
 	                      [&](std::size_t chunk, std::size_t begin, std::size_t end) {
 		                      for (std::size_t face = begin; face < end; ++face) {
-			                      if (isSuspect[face] != 0 || grid.isNear(faces, face)) {
+			                      if (grid.isNear(faces, face)) {
 				                      parts[chunk].push_back(static_cast<std::uint32_t>(face));
 			                      }
 		                      }

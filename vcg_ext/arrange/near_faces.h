@@ -8,6 +8,7 @@
 #include "vcg_ext/arrange/faces_view.h"
 #include "vcg_ext/base/monitor.h"
 #include "vcg_ext/base/status.h"
+#include "vcg_ext/exact/bounding_box.h"
 
 #include <vector>
 
@@ -21,6 +22,12 @@ namespace index_boolean {
 // faces whose boxes reach c cells along an axis.
 Status findNearFaces(const FacesView& faces, const std::vector<std::uint8_t>& isSuspect,
                      int threads, Monitor& monitor, std::vector<std::uint32_t>& out);
+
+// Lists the faces of a surface whose boxes reach a cell of one of these boxes, which may be those
+// of suspect faces elsewhere; cells as above. \param boxes none of them empty; finite \param out
+// replaced; ascending \return Ok, Cancelled or OutOfMemory. Complexity: as above.
+Status findFacesNear(const FacesView& faces, const std::vector<BoundingBox>& boxes, int threads,
+                     Monitor& monitor, std::vector<std::uint32_t>& out);
 
 // Some of the faces of a surface as a surface of their own.
 struct FacesApart {

@@ -80,12 +80,22 @@ int comparePlaces(const Arrangement& arrangement, VertexId a, VertexId b) {
 	return 0;
 }
 
-Point outputCoordinates(const Arrangement& arrangement, VertexId vertex) {
+Point roundedPlace(const Arrangement& arrangement, VertexId vertex) {
 	if (arrangement.options.outputScalar == OutputScalar::Double) {
 		return arrangement.coordinates(vertex);
 	}
 	const ExactPoint exact = exactPoint(arrangement, vertex);
 	return {roundedToFloat(exact, 0), roundedToFloat(exact, 1), roundedToFloat(exact, 2)};
+}
+
+Point outputCoordinates(const Arrangement& arrangement, VertexId vertex) {
+	if (!arrangement.movedPlaces.empty()) {
+		const auto moved = arrangement.movedPlaces.find(vertex);
+		if (moved != arrangement.movedPlaces.end()) {
+			return moved->second;
+		}
+	}
+	return roundedPlace(arrangement, vertex);
 }
 
 }  // namespace index_boolean

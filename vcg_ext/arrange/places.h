@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // in: a vertex or a point of the curve; out: the exact place that its name stands for, an order of
-// such places, and the place as delivered. Guarantee: exact; rounded once.
+// such places, and the place as delivered. Guarantee: exact; rounded once, and moved only by
+// repair_places.
 #pragma once
 
 #include "vcg_ext/arrange/arrangement.h"
@@ -24,8 +25,11 @@ ExactPoint exactPoint(const Arrangement& arrangement, VertexId vertex);
 // Complexity: O(1); a few comparisons unless the places are nearly the same.
 int comparePlaces(const Arrangement& arrangement, VertexId a, VertexId b);
 
-// A vertex's coordinates as they are delivered: the exact point, rounded once to the output scalar.
-// Complexity: O(1).
+// The exact place of a vertex, rounded once to the output scalar. Complexity: O(1).
+Point roundedPlace(const Arrangement& arrangement, VertexId vertex);
+
+// A vertex's coordinates as they are delivered: its moved place if it has one, else the rounded
+// one. Complexity: O(log m) for m moved places.
 Point outputCoordinates(const Arrangement& arrangement, VertexId vertex);
 
 }  // namespace index_boolean

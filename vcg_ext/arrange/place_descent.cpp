@@ -1,0 +1,310 @@
+// SPDX-FileCopyrightText: 2026 The Index Boolean authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Distances are measured in doubles: they say what is tried, never what is kept.
+#include "vcg_ext/arrange/place_descent.h"
+
+#include "vcg_ext/arrange/places.h"
+#include "vcg_ext/base/parallel.h"
+#include "vcg_ext/base/union_find.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace index_boolean {
+
+namespace {
+
+// Along each axis.
+double distance(const Point& a, const Point& b) {
+	return std::max({std::fabs(a[0] - b[0]), std::fabs(a[1] - b[1]), std::fabs(a[2] - b[2])});
+}
+
+double inScalar(double x, OutputScalar scalar) {
+	return scalar == OutputScalar::Double ? x : static_cast<double>(static_cast<float>(x));
+}
+
+// The distance from a value to the next larger one of the scalar.
+double gapAt(double x, OutputScalar scalar) {
+	if (scalar == OutputScalar::Double) {
+		return std::nextafter(std::fabs(x), HUGE_VAL) - std::fabs(x);
+	}
+	const auto value = static_cast<float>(std::fabs(x));
+	return static_cast<double>(std::nextafter(value, HUGE_VALF)) - static_cast<double>(value);
+}
+
+}  // namespace
+
+bool PlaceDescent::isDone() const {
+	constexpr std::size_t kMostTrials = 20000, kMostWork = 50000000;  // pairs of faces
+	return faults_.count() == 0 || arrangement_.placeRepair.trials >= kMostTrials ||
+	       faults_.work() >= kMostWork || pollCancelled(monitor_);
+}
+
+bool PlaceDescent::isInput(std::uint32_t vertex) const {
+	return !arrangement_.isCurvePoint(nameOf(vertex));
+}
+
+// An input vertex that the output scalar can hold stays where it is.
+bool PlaceDescent::isFixed(std::uint32_t vertex) const {
+	const VertexId v = nameOf(vertex);
+	return isInput(vertex) && roundedPlace(arrangement_, v) == arrangement_.coordinates(v);
+}
+
+bool PlaceDescent::mayBeAt(std::uint32_t vertex, const Point& place) const {
+	const Point rounded = roundedPlace(arrangement_, nameOf(vertex));
+	return !isFixed(vertex) && distance(rounded, place) <= kMostUnits * unit_ &&
+	       std::all_of(place.begin(), place.end(), [](double x) { return std::isfinite(x); });
+}
+
+bool PlaceDescent::areNear(std::uint32_t a, std::uint32_t b, double reach) const {
+	return distance(faults_.place(a), faults_.place(b)) <= reach;
+}
+
+void PlaceDescent::setPlace(const Move& move) {
+	const VertexId v = nameOf(move.vertex);
+	Point rounded = roundedPlace(arrangement_, v);
+	if (rounded == move.place) {
+		arrangement_.movedPlaces.erase(v);
+	} else {
+		arrangement_.movedPlaces[v] = move.place;
+	}
+}
+
+// \return whether it is better now; else nothing has changed
+bool PlaceDescent::attempt(const std::vector<Move>& moves) {
+	if (moves.empty() || isDone()) {
+		return false;
+	}
+	std::vector<Move> before;
+	std::vector<std::uint32_t> vertices;
+	for (const Move& move : moves) {
+		before.push_back({move.vertex, faults_.place(move.vertex)});
+		vertices.push_back(move.vertex);
+		faults_.setPlace(move.vertex, move.place);
+		setPlace(move);
+	}
+	patches_.flipAround(vertices);
+	++arrangement_.placeRepair.trials;
+	if (faults_.settle()) {
+		return true;
+	}
+	for (const Move& move : before) {
+		setPlace(move);
+	}
+	return false;
+}
+
+// In the order of exact places: the first is that of an input vertex, if there is any.
+std::vector<PlaceDescent::Move>
+PlaceDescent::movesToOne(const std::vector<std::uint32_t>& vertices) const {
+	std::uint32_t target = vertices.front();
+	for (const std::uint32_t v : vertices) {
+		const auto rank = [this](std::uint32_t u) { return isFixed(u) ? 0 : isInput(u) ? 1 : 2; };
+		if (rank(v) != rank(target) ? rank(v) < rank(target)
+		                            : faults_.place(v) < faults_.place(target)) {
+			target = v;
+		}
+	}
+	std::vector<Move> moves;
+	const Point& place = faults_.place(target);
+	for (const std::uint32_t v : vertices) {
+		if (faults_.place(v) != place && mayBeAt(v, place)) {
+			moves.push_back({v, place});
+		}
+	}
+	return moves;
+}
+
+bool PlaceDescent::join(const Cluster& cluster, double reach) {
+	const std::vector<std::uint32_t>& vertices = cluster.vertices;
+	UnionFind sets(vertices.size());
+	for (std::uint32_t i = 0; i < vertices.size(); ++i) {
+		for (std::uint32_t j = i + 1; j < vertices.size(); ++j) {
+			if (areNear(vertices[i], vertices[j], reach)) {
+				sets.unite(i, j);
+			}
+		}
+	}
+	std::map<std::uint32_t, std::vector<std::uint32_t>> members;
+	for (std::uint32_t i = 0; i < vertices.size(); ++i) {
+		members[sets.find(i)].push_back(vertices[i]);
+	}
+	std::vector<std::vector<Move>> each;
+	std::vector<Move> all;
+	for (const auto& [root, set] : members) {
+		each.push_back(movesToOne(set));
+		all.insert(all.end(), each.back().begin(), each.back().end());
+	}
+	return attempt(all) ||
+	       (each.size() > 1 && std::any_of(each.begin(), each.end(),
+	                                       [this](const auto& moves) { return attempt(moves); }));
+}
+
+bool PlaceDescent::joinPairs(const Cluster& cluster, double reach) {
+	const std::vector<std::uint32_t>& vertices = cluster.vertices;
+	for (const std::uint32_t v : vertices) {
+		for (const std::uint32_t other : vertices) {
+			if (v != other && faults_.place(v) != faults_.place(other) &&
+			    areNear(v, other, reach) && mayBeAt(v, faults_.place(other)) &&
+			    attempt({{v, faults_.place(other)}})) {
+				return true;
+			}
+		}
+	}
+	return false;
+}
+
+// The 26 neighbours of a vertex's place in steps of its own coordinates, and in steps that are the
+// same for all: nearest first.
+std::vector<Point> PlaceDescent::placesAround(std::uint32_t vertex, double reach) const {
+	const OutputScalar scalar = arrangement_.options.outputScalar;
+	const Point at = faults_.place(vertex);
+	std::vector<std::pair<double, Point>> found;
+	for (const bool isOwn : {true, false}) {
+		for (int i = 0; i < 27; ++i) {
+			const std::array<int, 3> way{i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1};
+			Point place = at;
+			double square = 0;
+			for (std::size_t axis = 0; axis < 3; ++axis) {
+				const double gap = isOwn ? gapAt(at[axis], scalar) / unit_ : 1;
+				place[axis] = inScalar(at[axis] + way[axis] * gap * reach, scalar);
+				const double moved = (place[axis] - at[axis]) / unit_;
+				square += moved * moved;
+			}
+			if (place != at && mayBeAt(vertex, place)) {
+				found.emplace_back(square, place);
+			}
+		}
+	}
+	std::sort(found.begin(), found.end());
+	found.erase(std::unique(found.begin(), found.end()), found.end());
+	std::vector<Point> places;
+	for (const auto& [square, place] : found) {
+		places.push_back(place);
+	}
+	return places;
+}
+
+// Input vertices come last.
+bool PlaceDescent::moveOne(const Cluster& cluster, double reach) {
+	for (const bool areInput : {false, true}) {
+		for (const std::uint32_t v : cluster.vertices) {
+			if (isInput(v) != areInput || isFixed(v)) {
+				continue;
+			}
+			for (const Point& place : placesAround(v, reach)) {
+				if (attempt({{v, place}})) {
+					return true;
+				}
+			}
+		}
+	}
+	return false;
+}
+
+bool PlaceDescent::improve(const Cluster& cluster, double reach) {
+	return join(cluster, reach) || joinPairs(cluster, reach) || moveOne(cluster, reach);
+}
+
+void PlaceDescent::sortVertices(Cluster& cluster) const {
+	for (const std::uint32_t face : cluster.faces) {
+		const IndexTriangle& t = faults_.surface().corners[face];
+		cluster.vertices.insert(cluster.vertices.end(), t.begin(), t.end());
+	}
+	std::sort(cluster.vertices.begin(), cluster.vertices.end());
+	cluster.vertices.erase(std::unique(cluster.vertices.begin(), cluster.vertices.end()),
+	                       cluster.vertices.end());
+	std::sort(cluster.vertices.begin(), cluster.vertices.end(),
+	          [this](std::uint32_t a, std::uint32_t b) {
+		          return comparePlaces(arrangement_, nameOf(a), nameOf(b)) < 0;
+	          });
+}
+
+// Faces that meet wrongly, or have a place in common, are of one cluster. In the order of places.
+std::vector<PlaceDescent::Cluster> PlaceDescent::clusters() const {
+	const std::vector<std::uint32_t> faces = faults_.facesConcerned();
+	UnionFind sets(faces.size());
+	const auto indexOf = [&faces](std::uint32_t face) {
+		return static_cast<std::uint32_t>(std::lower_bound(faces.begin(), faces.end(), face) -
+		                                  faces.begin());
+	};
+	std::map<std::uint32_t, std::uint32_t> firstAt;  // per place
+	for (std::uint32_t i = 0; i < faces.size(); ++i) {
+		for (const std::uint32_t place : faults_.surface().stored[faces[i]]) {
+			sets.unite(i, firstAt.emplace(place, i).first->second);
+		}
+		if (const auto* partners = faults_.partnersOf(faces[i])) {
+			for (const std::uint32_t other : *partners) {
+				sets.unite(i, indexOf(other));
+			}
+		}
+	}
+	std::map<std::uint32_t, Cluster> found;
+	for (std::uint32_t i = 0; i < faces.size(); ++i) {
+		found[sets.find(i)].faces.push_back(faces[i]);
+	}
+	std::vector<Cluster> list;
+	for (auto& [root, cluster] : found) {
+		sortVertices(cluster);
+		list.push_back(std::move(cluster));
+	}
+	std::sort(list.begin(), list.end(), [this](const Cluster& a, const Cluster& b) {
+		const int order = comparePlaces(arrangement_, nameOf(a.vertices[0]), nameOf(b.vertices[0]));
+		return order < 0;
+	});
+	return list;
+}
+
+// Whether a cluster is no longer what it was when the round began.
+bool PlaceDescent::isStale(const Cluster& cluster) const {
+	return !std::all_of(cluster.faces.begin(), cluster.faces.end(),
+	                    [this](std::uint32_t face) { return faults_.isConcerned(face); });
+}
+
+// \return whether any cluster is better now
+bool PlaceDescent::runRound(double reach) {
+	bool isBetter = false;
+	for (const Cluster& cluster : clusters()) {
+		if (isDone()) {
+			break;
+		}
+		if (isStale(cluster) || failed_.count(cluster.faces) != 0) {
+			continue;
+		}
+		if (improve(cluster, reach)) {
+			isBetter = true;
+		} else {
+			failed_.insert(cluster.faces);
+		}
+	}
+	return isBetter;
+}
+
+Status PlaceDescent::run() {
+	constexpr double kMostSteps = 16;
+	PlaceRepair& report = arrangement_.placeRepair;
+	report.concernedBefore = faults_.concernedCount();
+	report.faultsBefore = faults_.count();
+	double steps = 1;
+	while (steps <= kMostSteps && !isDone()) {
+		++report.rounds;
+		if (!runRound(steps * unit_)) {
+			steps *= 2;
+			failed_.clear();
+		}
+	}
+	report.isGivenUp = steps <= kMostSteps && faults_.count() != 0;
+	report.concernedAfter = faults_.concernedCount();
+	report.faultsAfter = faults_.count();
+	for (const auto& [vertex, place] : arrangement_.movedPlaces) {
+		const Point rounded = roundedPlace(arrangement_, vertex);
+		report.largestMove =
+		    std::max(report.largestMove, std::hypot(place[0] - rounded[0], place[1] - rounded[1],
+		                                            place[2] - rounded[2]));
+	}
+	return pollCancelled(monitor_) ? statusOf(StatusCode::Cancelled) : Status{};
+}
+
+}  // namespace index_boolean

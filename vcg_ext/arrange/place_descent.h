@@ -1,0 +1,72 @@
+// SPDX-FileCopyrightText: 2026 The Index Boolean authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// in: faults; out: fewer of them, by joining vertices that are stored near each other and by moving
+// single ones, each with the flips that it causes. Guarantee: a trial stays only if the number of
+// faults falls with it, so it ends; the order of trials depends on exact places only.
+#pragma once
+
+#include "vcg_ext/arrange/piece_patches.h"
+#include "vcg_ext/arrange/stored_faults.h"
+
+#include <set>
+#include <vector>
+
+namespace index_boolean {
+
+class PlaceDescent {
+public:
+	// No coordinate is stored farther than this from its rounded place.
+	static constexpr double kMostUnits = 32;
+
+	// Borrows all. \param unit the distance of the output scalar's values at the largest coordinate
+	// of the operands
+	PlaceDescent(Arrangement& arrangement, StoredFaults& faults, double unit, Monitor& monitor)
+	    : arrangement_(arrangement), faults_(faults), unit_(unit), monitor_(monitor),
+	      patches_(arrangement, faults, monitor) {}
+
+	// Fills the arrangement's movedPlaces and placeRepair. \pre the faults have been found
+	// \return Ok or Cancelled. Throws std::bad_alloc.
+	// Complexity: for each cluster of faults some hundred trials, each of a few faces; no more than
+	// a fixed amount of work in all.
+	Status run();
+
+private:
+	// Another place for a vertex of the surface.
+	struct Move {
+		std::uint32_t vertex;
+		Point place;
+	};
+	// Faces concerned that hang together, and their corners in the order of exact places.
+	struct Cluster {
+		std::vector<std::uint32_t> faces, vertices;
+	};
+
+	bool isDone() const;
+	bool runRound(double reach);
+	std::vector<Cluster> clusters() const;
+	void sortVertices(Cluster& cluster) const;
+	bool isStale(const Cluster& cluster) const;
+	bool improve(const Cluster& cluster, double reach);
+	bool join(const Cluster& cluster, double reach);
+	bool joinPairs(const Cluster& cluster, double reach);
+	bool moveOne(const Cluster& cluster, double reach);
+	std::vector<Move> movesToOne(const std::vector<std::uint32_t>& vertices) const;
+	std::vector<Point> placesAround(std::uint32_t vertex, double reach) const;
+	bool attempt(const std::vector<Move>& moves);
+	void setPlace(const Move& move);
+	bool areNear(std::uint32_t a, std::uint32_t b, double reach) const;
+	bool isInput(std::uint32_t vertex) const;
+	bool isFixed(std::uint32_t vertex) const;
+	bool mayBeAt(std::uint32_t vertex, const Point& place) const;
+	VertexId nameOf(std::uint32_t vertex) const { return faults_.surface().vertices[vertex]; }
+
+	Arrangement& arrangement_;
+	StoredFaults& faults_;
+	double unit_;
+	Monitor& monitor_;
+	PiecePatches patches_;
+	std::set<std::vector<std::uint32_t>> failed_;  // clusters, by their faces, at this reach
+};
+
+}  // namespace index_boolean

@@ -1,0 +1,143 @@
+// SPDX-FileCopyrightText: 2026 The Index Boolean authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// A look first. Only where it finds something is the surface collected once more, with all that
+// moved vertices may come near, for a descent.
+#include "vcg_ext/arrange/repair_places.h"
+
+#include "vcg_ext/arrange/box_frame.h"
+#include "vcg_ext/arrange/place_descent.h"
+#include "vcg_ext/base/union_find.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace index_boolean {
+
+namespace {
+
+template <class Scalar>
+double gapAbove(double x) {
+	const auto value = static_cast<Scalar>(x);
+	const Scalar next = std::nextafter(value, static_cast<Scalar>(HUGE_VAL));
+	return std::isfinite(next) ? static_cast<double>(next - value)
+	                           : static_cast<double>(value - std::nextafter(value, Scalar{0}));
+}
+
+// The distance of the output scalar's values at the largest coordinate.
+Status findUnit(const Arrangement& arrangement, Monitor& monitor, double& unit) {
+	const MeshArrays& mesh = arrangement.mesh;
+	BoundingBox box{};
+	const Status status = findBoxOfFaces(
+	    mesh, mesh.triangles.size(), [](std::size_t i) { return i; }, arrangement.options.threads,
+	    monitor, box);
+	double largest = 0;
+	for (std::size_t axis = 0; axis < 3; ++axis) {
+		largest = std::max({largest, std::fabs(box.lo[axis]), std::fabs(box.hi[axis])});
+	}
+	unit = arrangement.options.outputScalar == OutputScalar::Double ? gapAbove<double>(largest)
+	                                                                : gapAbove<float>(largest);
+	return status;
+}
+
+// Per face of the surface: which of them lie in the same blocks, as far as that is known before
+// they have labels: faces joined across edges that are no segments.
+std::vector<std::uint32_t> findClasses(const Arrangement& arrangement,
+                                       const StoredSurface& surface) {
+	const MeshArrays& mesh = arrangement.mesh;
+	const Refinement& refinement = arrangement.refinement;
+	UnionFind classes(refinement.nodeCount);
+	for (std::size_t f = 0; f < mesh.triangles.size(); ++f) {
+		const Triangle& t = mesh.triangles[f];
+		if (refinement.isCut[f] == 0 && mesh.quietTwin(makeId<FaceTag>(f)) == Twin::None) {
+			classes.unite({t[0].value, t[1].value, t[2].value});
+		}
+	}
+	for (const auto& [region, other] : refinement.links) {
+		classes.unite(region.value, other.value);
+	}
+	std::vector<std::uint32_t> classOf;
+	for (std::size_t f = 0; f < surface.corners.size(); ++f) {
+		const std::uint32_t node = f < surface.firstPiece
+		                               ? surface.vertices[surface.corners[f][0]].value
+		                               : refinement.pieceRegion[f - surface.firstPiece].value;
+		classOf.push_back(classes.find(node));
+	}
+	return classOf;
+}
+
+void takePieces(const StoredSurface& surface, Triangles& pieces) {
+	for (std::size_t i = 0; i < pieces.size(); ++i) {
+		for (std::size_t k = 0; k < 3; ++k) {
+			pieces[i][k] = surface.vertices[surface.corners[surface.firstPiece + i][k]];
+		}
+	}
+}
+
+Status descend(Arrangement& arrangement, Monitor& monitor) {
+	double unit = 0;
+	StoredSurface surface;
+	Status status =
+	    inOrder([&] { return findUnit(arrangement, monitor, unit); },
+	            [&] {
+		            return collectStoredSurface(arrangement, 2 * PlaceDescent::kMostUnits * unit,
+		                                        monitor, surface);
+	            });
+	if (!status.ok()) {
+		return status;
+	}
+	StoredFaults faults(arrangement, surface, findClasses(arrangement, surface), monitor);
+	status = faults.find();
+	if (status.ok()) {
+		status = PlaceDescent(arrangement, faults, unit, monitor).run();
+	}
+	if (status.ok() && arrangement.placeRepair.faultsAfter < arrangement.placeRepair.faultsBefore) {
+		takePieces(surface, arrangement.refinement.pieces);
+	}
+	return status;
+}
+
+// Whether anything is wrong.
+Status look(const Arrangement& arrangement, Monitor& monitor, WrongPairs& wrong) {
+	StoredSurface surface;
+	const Status status = collectStoredSurface(arrangement, 0, monitor, surface);
+	if (!status.ok() || !surface.anySuspect) {
+		return status;
+	}
+	return findFaults(surface, distinctFaces(arrangement, surface), arrangement.options.threads,
+	                  monitor, wrong);
+}
+
+std::size_t countFaces(const WrongPairs& wrong) {
+	std::vector<std::uint32_t> faces = wrong.zeroAreaFaces;
+	for (const FacePair& pair : wrong.pairs) {
+		faces.push_back(pair.a.value);
+		faces.push_back(pair.b.value);
+	}
+	std::sort(faces.begin(), faces.end());
+	return static_cast<std::size_t>(std::unique(faces.begin(), faces.end()) - faces.begin());
+}
+
+}  // namespace
+
+Status repairPlaces(Arrangement& arrangement, Monitor& monitor) {
+	constexpr std::size_t kMostFaces = 2000;
+	if (!arrangement.options.certify) {
+		return {};
+	}
+	WrongPairs wrong;
+	const Status status = look(arrangement, monitor, wrong);
+	if (!status.ok() || (wrong.pairs.empty() && wrong.zeroAreaFaces.empty())) {
+		return status;
+	}
+	PlaceRepair& report = arrangement.placeRepair;
+	report.concernedBefore = report.concernedAfter = countFaces(wrong);
+	report.faultsBefore = report.faultsAfter = wrong.pairs.size() + wrong.zeroAreaFaces.size();
+	if (report.concernedBefore > kMostFaces) {
+		report.isGivenUp = true;
+		return {};
+	}
+	return descend(arrangement, monitor);
+}
+
+}  // namespace index_boolean

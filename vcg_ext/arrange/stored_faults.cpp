@@ -1,0 +1,349 @@
+// SPDX-FileCopyrightText: 2026 The Index Boolean authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Faces on the same three places are mates. One of them stands for all, unless they cancel out; the
+// others take no part. So a trial concerns the faces that change and their mates, before and after.
+#include "vcg_ext/arrange/stored_faults.h"
+
+#include "vcg_ext/arrange/parted_faces.h"
+#include "vcg_ext/base/parallel.h"
+#include "vcg_ext/exact/zero_area.h"
+#include "vcg_ext/mesh/face_key.h"
+
+#include <algorithm>
+
+namespace index_boolean {
+
+namespace {
+
+bool meet(const BoundingBox& a, const BoundingBox& b) { return !commonBox(a, b).empty(); }
+
+}  // namespace
+
+StoredFaults::StoredFaults(const Arrangement& arrangement, StoredSurface& surface,
+                           std::vector<std::uint32_t> classOf, Monitor& monitor)
+    : arrangement_(arrangement), surface_(surface), classOf_(std::move(classOf)), monitor_(monitor),
+      view_(surface.places, surface.stored.data(), surface.stored.size()) {}
+
+BoundingBox StoredFaults::boxOf(std::uint32_t face) const {
+	BoundingBox box = emptyBox();
+	for (const std::uint32_t place : surface_.stored[face]) {
+		box.add(surface_.places[place]);
+	}
+	return box;
+}
+
+Status StoredFaults::find() {
+	const std::size_t faceCount = surface_.corners.size();
+	facesAt_.resize(surface_.vertices.size());
+	std::vector<BoundingBox> boxes;
+	for (std::uint32_t f = 0; f < faceCount; ++f) {
+		boxes.push_back(boxOf(f));
+		for (const std::uint32_t v : surface_.corners[f]) {
+			facesAt_[v].push_back(f);
+		}
+	}
+	for (std::uint32_t p = 0; p < surface_.places.size(); ++p) {
+		numberOf_[surface_.places[p]] = p;
+	}
+	if (pollCancelled(monitor_)) {
+		return statusOf(StatusCode::Cancelled);
+	}
+	tree_ = BoxTree(std::move(boxes));
+	isMoved_.resize(faceCount);
+	isTouched_.resize(faceCount);
+	stands_.resize(faceCount);
+	chooseStanding();
+	std::vector<std::uint32_t> standing;
+	for (std::uint32_t f = 0; f < faceCount; ++f) {
+		if (stands_[f] != 0) {
+			standing.push_back(f);
+		}
+	}
+	WrongPairs wrong;
+	const Status status =
+	    findFaults(surface_, standing, arrangement_.options.threads, monitor_, wrong);
+	for (const FacePair& pair : wrong.pairs) {
+		addPair(pair.a.value, pair.b.value);
+	}
+	zeroAreaFaces_.insert(wrong.zeroAreaFaces.begin(), wrong.zeroAreaFaces.end());
+	return status;
+}
+
+// At first: each face that is not collapsed, but of mates only those that stand for all.
+void StoredFaults::chooseStanding() {
+	for (const std::uint32_t f : distinctFaces(arrangement_, surface_)) {
+		stands_[f] = 1;
+	}
+	for (std::uint32_t f = 0; f < stands_.size(); ++f) {
+		if (stands_[f] == 0 && isTouched_[f] == 0 && !pollCancelled(monitor_)) {
+			chooseAmongMates(f);
+		}
+	}
+	forget();
+}
+
+std::vector<std::uint32_t> StoredFaults::facesConcerned() const {
+	std::vector<std::uint32_t> faces(zeroAreaFaces_.begin(), zeroAreaFaces_.end());
+	for (const auto& [face, others] : partners_) {
+		faces.push_back(face);
+	}
+	std::sort(faces.begin(), faces.end());
+	return faces;
+}
+
+// The faces with boxes that meet that of one, without it.
+void StoredFaults::findNear(std::uint32_t face) {
+	near_.clear();
+	const BoundingBox box = boxOf(face);
+	tree_.visit(
+	    0, [&box](const BoundingBox& other) { return meet(box, other); },
+	    [&](std::uint32_t other) {
+		    if (other != face && isMoved_[other] == 0) {
+			    near_.push_back(other);
+		    }
+	    });
+	for (const std::uint32_t other : moved_) {
+		if (other != face && meet(box, boxOf(other))) {
+			near_.push_back(other);
+		}
+	}
+	work_ += near_.size();
+}
+
+// The faces on the same three places as one, with it, ascending; itself alone if it is collapsed.
+void StoredFaults::findMates(std::uint32_t face) {
+	mates_.assign(1, face);
+	if (isCollapsed(surface_.stored[face])) {
+		return;
+	}
+	const auto key = faceKeyOf(surface_.stored[face]);
+	findNear(face);
+	for (const std::uint32_t other : near_) {
+		if (faceKeyOf(surface_.stored[other]) == key) {
+			mates_.push_back(other);
+		}
+	}
+	std::sort(mates_.begin(), mates_.end());
+}
+
+// A face that is about to change, or that others leave or join.
+void StoredFaults::touch(std::uint32_t face) {
+	if (isTouched_[face] == 0) {
+		isTouched_[face] = 1;
+		touched_.push_back(face);
+		stoodBefore_.push_back(stands_[face]);
+	}
+}
+
+std::uint32_t StoredFaults::placeNumber(const Point& place) {
+	const auto next = static_cast<std::uint32_t>(surface_.places.size());
+	const auto [it, isNew] = numberOf_.emplace(place, next);
+	if (isNew) {
+		surface_.places.push_back(place);
+	}
+	return it->second;
+}
+
+void StoredFaults::write(std::uint32_t face, const IndexTriangle& corners) {
+	for (const std::uint32_t v : surface_.corners[face]) {
+		auto& list = facesAt_[v];
+		list.erase(std::find(list.begin(), list.end(), face));
+	}
+	for (const std::uint32_t v : corners) {
+		facesAt_[v].push_back(face);
+	}
+	surface_.corners[face] = corners;
+	for (std::size_t i = 0; i < 3; ++i) {
+		surface_.stored[face][i] = surface_.placeOf[corners[i]];
+	}
+}
+
+void StoredFaults::writePlace(std::uint32_t vertex, std::uint32_t place) {
+	surface_.placeOf[vertex] = place;
+	for (const std::uint32_t face : facesAt_[vertex]) {
+		for (std::size_t i = 0; i < 3; ++i) {
+			surface_.stored[face][i] = surface_.placeOf[surface_.corners[face][i]];
+		}
+	}
+}
+
+void StoredFaults::setPlace(std::uint32_t vertex, const Point& place) {
+	for (const std::uint32_t face : facesAt_[vertex]) {
+		findMates(face);
+		std::for_each(mates_.begin(), mates_.end(), [this](std::uint32_t f) { touch(f); });
+		if (isMoved_[face] == 0) {
+			isMoved_[face] = 1;
+			moved_.push_back(face);
+		}
+	}
+	placesBefore_.push_back({vertex, surface_.placeOf[vertex]});
+	writePlace(vertex, placeNumber(place));
+}
+
+void StoredFaults::setCorners(std::uint32_t face, const IndexTriangle& corners) {
+	if (faceKeyOf(corners) == faceKeyOf(surface_.corners[face])) {
+		return;
+	}
+	findMates(face);
+	std::for_each(mates_.begin(), mates_.end(), [this](std::uint32_t f) { touch(f); });
+	if (isMoved_[face] == 0) {
+		isMoved_[face] = 1;
+		moved_.push_back(face);
+	}
+	cornersBefore_.emplace_back(face, surface_.corners[face]);
+	write(face, corners);
+}
+
+// Whether two mates are one sheet folded onto itself.
+bool StoredFaults::cancel(std::uint32_t a, std::uint32_t b) const {
+	const MeshArrays& mesh = arrangement_.mesh;
+	return faceKeyOf(surface_.stored[a]).ascending != faceKeyOf(surface_.stored[b]).ascending &&
+	       mesh.operandOf(surface_.inputFaces[a]) == mesh.operandOf(surface_.inputFaces[b]) &&
+	       classOf_[a] == classOf_[b];
+}
+
+// Which of a face's mates stands: the first that none cancels out.
+void StoredFaults::chooseAmongMates(std::uint32_t face) {
+	if (isCollapsed(surface_.stored[face])) {
+		stands_[face] = 0;
+		return;
+	}
+	findMates(face);
+	std::vector<std::uint8_t> isGone(mates_.size());
+	for (std::size_t i = 0; i < mates_.size(); ++i) {
+		for (std::size_t j = i + 1; j < mates_.size() && isGone[i] == 0; ++j) {
+			if (isGone[j] == 0 && cancel(mates_[i], mates_[j])) {
+				isGone[i] = isGone[j] = 1;
+			}
+		}
+	}
+	const auto first = std::find(isGone.begin(), isGone.end(), 0);
+	for (std::size_t i = 0; i < mates_.size(); ++i) {
+		touch(mates_[i]);
+		stands_[mates_[i]] = isGone.begin() + static_cast<std::ptrdiff_t>(i) == first ? 1 : 0;
+	}
+}
+
+void StoredFaults::addPair(std::uint32_t a, std::uint32_t b) {
+	partners_[a].insert(b);
+	partners_[b].insert(a);
+	++pairCount_;
+}
+
+void StoredFaults::removePair(std::uint32_t a, std::uint32_t b) {
+	for (const auto& [of, other] : {std::pair{a, b}, std::pair{b, a}}) {
+		const auto it = partners_.find(of);
+		it->second.erase(other);
+		if (it->second.empty()) {
+			partners_.erase(it);
+		}
+	}
+	--pairCount_;
+}
+
+void StoredFaults::removeFaults(std::uint32_t face) {
+	if (zeroAreaFaces_.erase(face) != 0) {
+		zeroAreaRemoved_.push_back(face);
+	}
+	const auto it = partners_.find(face);
+	if (it == partners_.end()) {
+		return;
+	}
+	const std::vector<std::uint32_t> others(it->second.begin(), it->second.end());
+	for (const std::uint32_t other : others) {
+		pairsRemoved_.push_back({{face}, {other}});
+		removePair(face, other);
+	}
+}
+
+// The pairs of a touched face that stands; with another touched one, if it comes first.
+// \pre which touched faces have no area is known
+void StoredFaults::addFaults(std::uint32_t face) {
+	if (stands_[face] == 0 || zeroAreaFaces_.count(face) != 0) {
+		return;
+	}
+	findNear(face);
+	for (const std::uint32_t other : near_) {
+		const bool isLater = isTouched_[other] != 0 && other < face;
+		if (isLater || stands_[other] == 0 || zeroAreaFaces_.count(other) != 0) {
+			continue;
+		}
+		const FacePair pair{{std::min(face, other)}, {std::max(face, other)}};
+		if (!arePartedFaces(view_, pair) && meetingOf(view_, pair) != Meeting::Proper) {
+			pairsAdded_.push_back(pair);
+			addPair(pair.a.value, pair.b.value);
+		}
+	}
+}
+
+bool StoredFaults::settle() {
+	const std::size_t before = count();
+	for (std::size_t i = 0; i < touched_.size(); ++i) {  // mates join them meanwhile
+		chooseAmongMates(touched_[i]);
+	}
+	for (const std::uint32_t face : touched_) {
+		removeFaults(face);
+	}
+	for (const std::uint32_t face : touched_) {
+		const IndexTriangle& t = surface_.stored[face];
+		const Points& p = surface_.places;
+		if (stands_[face] != 0 && hasZeroArea(p[t[0]], p[t[1]], p[t[2]])) {
+			zeroAreaFaces_.insert(face);
+			zeroAreaAdded_.push_back(face);
+		}
+	}
+	for (std::size_t i = 0; i < touched_.size() && count() < before; ++i) {
+		addFaults(touched_[i]);
+	}
+	const bool isBetter = count() < before && !pollCancelled(monitor_);
+	if (!isBetter) {
+		undo();
+	}
+	forget();
+	return isBetter;
+}
+
+void StoredFaults::undo() {
+	for (const FacePair& pair : pairsAdded_) {
+		removePair(pair.a.value, pair.b.value);
+	}
+	for (const FacePair& pair : pairsRemoved_) {
+		addPair(pair.a.value, pair.b.value);
+	}
+	for (const std::uint32_t face : zeroAreaAdded_) {
+		zeroAreaFaces_.erase(face);
+	}
+	zeroAreaFaces_.insert(zeroAreaRemoved_.begin(), zeroAreaRemoved_.end());
+	for (std::size_t i = 0; i < touched_.size(); ++i) {
+		stands_[touched_[i]] = stoodBefore_[i];
+	}
+	for (std::size_t i = cornersBefore_.size(); i-- > 0;) {
+		write(cornersBefore_[i].first, cornersBefore_[i].second);
+	}
+	for (std::size_t i = placesBefore_.size(); i-- > 0;) {
+		writePlace(placesBefore_[i][0], placesBefore_[i][1]);
+	}
+	while (moved_.size() > movedBefore_) {
+		isMoved_[moved_.back()] = 0;
+		moved_.pop_back();
+	}
+}
+
+// Before the next trial.
+void StoredFaults::forget() {
+	for (const std::uint32_t face : touched_) {
+		isTouched_[face] = 0;
+	}
+	touched_.clear();
+	stoodBefore_.clear();
+	cornersBefore_.clear();
+	placesBefore_.clear();
+	pairsAdded_.clear();
+	pairsRemoved_.clear();
+	zeroAreaAdded_.clear();
+	zeroAreaRemoved_.clear();
+	movedBefore_ = moved_.size();
+}
+
+}  // namespace index_boolean

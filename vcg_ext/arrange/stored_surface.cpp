@@ -1,0 +1,289 @@
+// SPDX-FileCopyrightText: 2026 The Index Boolean authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// With nothing but curve points rounded, only pieces are suspect: uncut faces are looked at once,
+// by their boxes, where they are. Else all are taken.
+#include "vcg_ext/arrange/stored_surface.h"
+
+#include "vcg_ext/arrange/near_faces.h"
+#include "vcg_ext/arrange/places.h"
+#include "vcg_ext/base/index_table.h"
+#include "vcg_ext/base/parallel.h"
+#include "vcg_ext/exact/coordinate_hash.h"
+#include "vcg_ext/mesh/face_key.h"
+
+#include <algorithm>
+#include <atomic>
+#include <limits>
+
+namespace index_boolean {
+
+namespace {
+
+constexpr std::size_t kGrain = 1 << 14;
+
+bool isFloat(const Point& p) {
+	return std::all_of(p.begin(), p.end(),
+	                   [](double x) { return static_cast<double>(static_cast<float>(x)) == x; });
+}
+
+class Collector {
+public:
+	Collector(const Arrangement& arrangement, double reach, Monitor& monitor, StoredSurface& out)
+	    : arrangement_(arrangement), reach_(reach), monitor_(monitor), out_(out) {}
+
+	Status run();
+
+private:
+	bool isExact(VertexId v) const {
+		return !arrangement_.isCurvePoint(v) &&
+		       (!areInputsRounded_ || isFloat(at(arrangement_.mesh.points, v)));
+	}
+	bool isSuspect(const Triangle& t) const {
+		return !std::all_of(t.begin(), t.end(), [this](VertexId v) { return isExact(v); });
+	}
+	bool isTaken(std::size_t face) const {
+		const MeshArrays& mesh = arrangement_.mesh;
+		const FaceId id = makeId<FaceTag>(face);
+		const bool isTwin = mesh.quietTwin(id) != Twin::None && mesh.operandOf(id) != kFirst;
+		return arrangement_.refinement.isCut[face] == 0 && !isTwin;
+	}
+	Status lookAtInputs();
+	void listBoxes();
+	Status listUncut();
+	void numberVertices();
+	void add(const Triangle& corners, FaceId face);
+	void addFaces();
+	Status findPlaces();
+	void weld();
+
+	const Arrangement& arrangement_;
+	const double reach_;
+	Monitor& monitor_;
+	StoredSurface& out_;
+	bool areInputsRounded_ = false;
+	std::vector<BoundingBox> boxes_;     // of suspect pieces
+	std::vector<std::uint32_t> uncut_;   // faces
+	std::vector<std::uint32_t> number_;  // per vertex of the arrangement
+	Points places_;                      // per vertex of the surface
+};
+
+Status Collector::lookAtInputs() {
+	if (arrangement_.options.outputScalar == OutputScalar::Double) {
+		return {};
+	}
+	const Triangles& triangles = arrangement_.mesh.triangles;
+	std::atomic<bool> found{false};
+	const Status status = parallelFor(triangles.size(), kGrain, arrangement_.options.threads,
+	                                  monitor_, [&](std::size_t begin, std::size_t end) {
+		                                  for (std::size_t f = begin; f < end && !found; ++f) {
+			                                  for (const VertexId v : triangles[f]) {
+				                                  if (!isFloat(at(arrangement_.mesh.points, v))) {
+					                                  found = true;
+				                                  }
+			                                  }
+		                                  }
+	                                  });
+	areInputsRounded_ = found;
+	return status;
+}
+
+// The box of each suspect piece, with the reach. It stays finite.
+void Collector::listBoxes() {
+	constexpr double kMost = std::numeric_limits<double>::max();
+	for (const Triangle& t : arrangement_.refinement.pieces) {
+		if (!isSuspect(t)) {
+			continue;
+		}
+		BoundingBox box = emptyBox();
+		for (const VertexId v : t) {
+			box.add(outputCoordinates(arrangement_, v));
+		}
+		for (std::size_t axis = 0; axis < 3; ++axis) {
+			box.lo[axis] = std::max(box.lo[axis] - reach_, -kMost);
+			box.hi[axis] = std::min(box.hi[axis] + reach_, kMost);
+		}
+		boxes_.push_back(box);
+	}
+}
+
+Status Collector::listUncut() {
+	const MeshArrays& mesh = arrangement_.mesh;
+	if (areInputsRounded_) {
+		uncut_.resize(mesh.triangles.size());
+		for (std::size_t f = 0; f < uncut_.size(); ++f) {
+			uncut_[f] = static_cast<std::uint32_t>(f);
+		}
+	} else {
+		listBoxes();
+		const FacesView faces(mesh.points, mesh.triangles.data(), mesh.triangles.size());
+		const Status status =
+		    findFacesNear(faces, boxes_, arrangement_.options.threads, monitor_, uncut_);
+		if (!status.ok()) {
+			return status;
+		}
+	}
+	uncut_.erase(std::remove_if(uncut_.begin(), uncut_.end(),
+	                            [this](std::uint32_t f) { return !isTaken(f); }),
+	             uncut_.end());
+	return {};
+}
+
+void Collector::numberVertices() {
+	const MeshArrays& mesh = arrangement_.mesh;
+	number_.assign(mesh.points.size() + arrangement_.curve.pointCount(), kNone);
+	const auto use = [this](const Triangle& t) {
+		for (const VertexId v : t) {
+			at(number_, v) = 0;
+		}
+	};
+	for (const std::uint32_t f : uncut_) {
+		use(mesh.triangles[f]);
+	}
+	for (const Triangle& t : arrangement_.refinement.pieces) {
+		use(t);
+	}
+	for (std::size_t v = 0; v < number_.size(); ++v) {
+		if (number_[v] != kNone) {
+			number_[v] = static_cast<std::uint32_t>(out_.vertices.size());
+			out_.vertices.push_back(makeId<VertexTag>(v));
+		}
+	}
+}
+
+void Collector::add(const Triangle& corners, FaceId face) {
+	out_.corners.push_back(
+	    {at(number_, corners[0]), at(number_, corners[1]), at(number_, corners[2])});
+	out_.inputFaces.push_back(face);
+	out_.isSuspect.push_back(isSuspect(corners) ? 1 : 0);
+	out_.anySuspect |= out_.isSuspect.back() != 0;
+}
+
+void Collector::addFaces() {
+	const Refinement& refinement = arrangement_.refinement;
+	for (const std::uint32_t f : uncut_) {
+		add(arrangement_.mesh.triangles[f], makeId<FaceTag>(f));
+	}
+	out_.firstPiece = uncut_.size();
+	for (std::size_t i = 0; i < refinement.cutFaces.size(); ++i) {
+		const Refinement::PieceRange pieces = refinement.piecesOf(i);
+		for (std::size_t piece = pieces.begin; piece < pieces.end; ++piece) {
+			add(refinement.pieces[piece], refinement.cutFaces[i].face);
+		}
+	}
+}
+
+Status Collector::findPlaces() {
+	places_.resizeForOverwrite(out_.vertices.size());
+	return parallelFor(places_.size(), kGrain, arrangement_.options.threads, monitor_,
+	                   [&](std::size_t begin, std::size_t end) {
+		                   for (std::size_t v = begin; v < end; ++v) {
+			                   places_[v] = outputCoordinates(arrangement_, out_.vertices[v]);
+			                   for (double& x : places_[v]) {
+				                   x += 0.0;  // of both zeros the positive one
+			                   }
+		                   }
+	                   });
+}
+
+void Collector::weld() {
+	IndexTable table(places_.size());
+	out_.placeOf.resize(places_.size());
+	out_.places.reserve(places_.size());
+	for (std::size_t v = 0; v < places_.size(); ++v) {
+		const Point& place = places_[v];
+		std::uint32_t& slot = table.slotOf(coordinateHash(place), [&](std::uint32_t other) {
+			return out_.places[other] == place;
+		});
+		if (slot == IndexTable::kNone) {
+			slot = static_cast<std::uint32_t>(out_.places.size());
+			out_.places.push_back(place);
+		}
+		out_.placeOf[v] = slot;
+	}
+	out_.stored.reserve(out_.corners.size());
+	for (const IndexTriangle& t : out_.corners) {
+		out_.stored.push_back({out_.placeOf[t[0]], out_.placeOf[t[1]], out_.placeOf[t[2]]});
+	}
+}
+
+Status Collector::run() {
+	const Status status = lookAtInputs();
+	if (!status.ok() || (!areInputsRounded_ && arrangement_.curve.pointCount() == 0)) {
+		return status;
+	}
+	return inOrder([this] { return listUncut(); },
+	               [this] {
+		               numberVertices();
+		               addFaces();
+		               return findPlaces();
+	               },
+	               [this] {
+		               weld();
+		               return Status{};
+	               });
+}
+
+}  // namespace
+
+Status collectStoredSurface(const Arrangement& arrangement, double reach, Monitor& monitor,
+                            StoredSurface& out) {
+	out = {};
+	return Collector(arrangement, reach, monitor, out).run();
+}
+
+Status findFaults(const StoredSurface& surface, const std::vector<std::uint32_t>& which,
+                  int threads, Monitor& monitor, WrongPairs& out) {
+	IndexTriangles triangles;
+	std::vector<std::uint8_t> isSuspect;
+	triangles.reserve(which.size());
+	isSuspect.reserve(which.size());
+	for (const std::uint32_t face : which) {
+		triangles.push_back(surface.stored[face]);
+		isSuspect.push_back(surface.isSuspect[face]);
+	}
+	const FacesView view(surface.places, triangles.data(), triangles.size());
+	const Status status = findWrongPairsAmong(view, isSuspect, {threads, false}, monitor, out);
+	for (FacePair& pair : out.pairs) {
+		pair = {{which[pair.a.value]}, {which[pair.b.value]}};
+	}
+	for (std::uint32_t& face : out.zeroAreaFaces) {
+		face = which[face];
+	}
+	return status;
+}
+
+// Two faces on the same three places have either welded corners, or, as pieces of both operands,
+// corners that are on the other operand each.
+std::vector<std::uint32_t> distinctFaces(const Arrangement& arrangement,
+                                         const StoredSurface& surface) {
+	const bool anyWelded = surface.places.size() < surface.vertices.size();
+	std::vector<KeyedFace<std::uint32_t>> keyed;
+	std::vector<std::uint8_t> isLeftOut(surface.corners.size());
+	for (std::uint32_t f = 0; f < surface.corners.size(); ++f) {
+		const IndexTriangle& corners = surface.corners[f];
+		const auto isOnOther = [&](std::uint32_t v) {
+			return arrangement.isOnOther(surface.vertices[v]);
+		};
+		isLeftOut[f] = isCollapsed(surface.stored[f]) ? 1 : 0;
+		if (isLeftOut[f] == 0 &&
+		    (anyWelded || std::all_of(corners.begin(), corners.end(), isOnOther))) {
+			keyed.push_back({faceKeyOf(surface.stored[f]), f});
+		}
+	}
+	std::sort(keyed.begin(), keyed.end(), [](const auto& a, const auto& b) {
+		return a.key != b.key ? a.key < b.key : a.face < b.face;
+	});
+	for (std::size_t i = 1; i < keyed.size(); ++i) {
+		isLeftOut[keyed[i].face] = keyed[i].key == keyed[i - 1].key ? 1 : 0;
+	}
+	std::vector<std::uint32_t> faces;
+	for (std::uint32_t f = 0; f < isLeftOut.size(); ++f) {
+		if (isLeftOut[f] == 0) {
+			faces.push_back(f);
+		}
+	}
+	return faces;
+}
+
+}  // namespace index_boolean
