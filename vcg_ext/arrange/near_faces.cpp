@@ -7,8 +7,8 @@
 
 #include "vcg_ext/base/index_table.h"
 #include "vcg_ext/base/parallel.h"
-#include "vcg_ext/exact/bounding_box.h"
 #include "vcg_ext/exact/coordinate_hash.h"
+#include "vcg_ext/exact/bounding_box.h"
 
 #include <algorithm>
 #include <array>
@@ -18,7 +18,7 @@ namespace index_boolean {
 namespace {
 
 constexpr std::size_t kGrain = 1 << 14;
-constexpr std::size_t kCells = 64;  // along an axis
+constexpr std::uint32_t kCells = 128;  // along an axis; no box reaches the first one and the last
 
 BoundingBox boxOf(const FacesView& faces, std::size_t face) {
 	BoundingBox box = emptyBox();
@@ -28,66 +28,91 @@ BoundingBox boxOf(const FacesView& faces, std::size_t face) {
 	return box;
 }
 
+// A cell's number along each axis, a byte each, and in the last byte a bit for each side of the box
+// that it lies beyond: two cells beyond one side have a bit in common.
+using Cell = std::uint32_t;
+constexpr Cell kBeyond = 0x3f000000;
+
 // Cells by their number along each axis, from `first` to `last`, both included.
 struct CellRange {
-	std::array<std::size_t, 3> first, last;
+	std::array<std::uint32_t, 3> first, last;
+
+	template <std::size_t n>
+	explicit CellRange(const std::array<Cell, n>& cells) {
+		for (unsigned axis = 0; axis < 3; ++axis) {
+			first[axis] = last[axis] = cells[0] >> 8 * axis & 0xff;
+			for (const Cell cell : cells) {
+				first[axis] = std::min(first[axis], cell >> 8 * axis & 0xff);
+				last[axis] = std::max(last[axis], cell >> 8 * axis & 0xff);
+			}
+		}
+	}
 };
 
-// A set of cells, a bit each: those along x are one word.
+// A set of cells, a bit each: those along x are one row of two words.
 class CellGrid {
 public:
-	explicit CellGrid(const BoundingBox& box) : box_(box) {
+	explicit CellGrid(const BoundingBox& box) : rows_(kCells * kCells) {
+		constexpr double kInside = kCells - 2 - 0x1p-20;  // the upper end is inside, too
+		constexpr double kMost = 0x1p1000;                // and no infinity times zero
 		for (std::size_t axis = 0; axis < 3; ++axis) {
 			const double half = box.hi[axis] / 2 - box.lo[axis] / 2;
-			perHalfUnit_[axis] = half > 0 ? kCells / 2 / half : 0;
+			halfLow_[axis] = box.lo[axis] / 2;
+			perHalfUnit_[axis] = std::min(kInside / 2 / half, kMost);
 		}
 	}
 
-	// Whether a face may reach one of the cells. Most do not reach their common box: one axis
-	// often tells.
-	bool isNear(const FacesView& faces, std::size_t face) const {
-		const IndexTriangle t = faces[face];
-		const Point &p = faces.point(t[0]), &q = faces.point(t[1]), &r = faces.point(t[2]);
-		for (std::size_t axis = 0; axis < 3; ++axis) {
-			if (std::max({p[axis], q[axis], r[axis]}) < box_.lo[axis] ||
-			    std::min({p[axis], q[axis], r[axis]}) > box_.hi[axis]) {
-				return false;
-			}
+	// What lies before the box is in the first cell along an axis, what lies behind it in the last,
+	// but for what rounding takes in.
+	Cell cellOf(const Point& point) const {
+		Cell cell = 0;
+		for (unsigned axis = 0; axis < 3; ++axis) {
+			const std::uint32_t along = cellAlong(point[axis], axis);
+			cell |= along << 8 * axis;
+			cell |= (along == 0 ? 1U : 0U) << (24 + axis);
+			cell |= (along == kCells - 1 ? 1U : 0U) << (27 + axis);
 		}
-		return anyRow(rangeOf(boxOf(faces, face)), [this](std::size_t row, std::uint64_t cells) {
-			return (rows_[row] & cells) != 0;
-		});
+		return cell;
+	}
+
+	// Whether the box around three points in these cells reaches a cell of the set.
+	bool isNear(const std::array<Cell, 3>& corners) const {
+		return (corners[0] & corners[1] & corners[2] & kBeyond) == 0 &&
+		       anyRow(CellRange(corners), [this](std::size_t row, const Row& cells) {
+			       return ((rows_[row][0] & cells[0]) | (rows_[row][1] & cells[1])) != 0;
+		       });
 	}
 
 	void add(const BoundingBox& box) {
-		anyRow(rangeOf(box), [this](std::size_t row, std::uint64_t cells) {
-			rows_[row] |= cells;
-			return false;
-		});
+		anyRow(CellRange(std::array{cellOf(box.lo), cellOf(box.hi)}),
+		       [this](std::size_t row, const Row& cells) {
+			       rows_[row][0] |= cells[0];
+			       rows_[row][1] |= cells[1];
+			       return false;
+		       });
 	}
 
 private:
-	// Written so that no difference overflows; an infinity or NaN of tiny boxes is the last cell.
-	std::size_t cellOf(double x, std::size_t axis) const {
-		const double clamped = std::min(std::max(x, box_.lo[axis]), box_.hi[axis]);
-		const double cell = (clamped / 2 - box_.lo[axis] / 2) * perHalfUnit_[axis];
-		return cell < kCells - 1 ? static_cast<std::size_t>(cell) : kCells - 1;
+	using Row = std::array<std::uint64_t, 2>;
+
+	// Never swaps two numbers, and no difference overflows. A vertex that no face has may be no
+	// number: any cell will do.
+	std::uint32_t cellAlong(double x, std::size_t axis) const {
+		double cell = 1 + (x / 2 - halfLow_[axis]) * perHalfUnit_[axis];
+		cell = cell > 0 ? cell : 0;
+		return static_cast<std::uint32_t>(cell < kCells - 1 ? cell : kCells - 1);
 	}
 
-	CellRange rangeOf(const BoundingBox& box) const {
-		CellRange range{};
-		for (std::size_t axis = 0; axis < 3; ++axis) {
-			range.first[axis] = cellOf(box.lo[axis], axis);
-			range.last[axis] = cellOf(box.hi[axis], axis);
-		}
-		return range;
+	static std::uint64_t bitsFrom(std::uint32_t first) {
+		return first < 64 ? ~std::uint64_t{0} << first : 0;
 	}
 
 	// Calls visit(row, cells) for the rows of a range until it says true. \return whether it has
 	template <class Visit>
 	static bool anyRow(const CellRange& range, Visit&& visit) {
-		const std::uint64_t cells =
-		    ~std::uint64_t{0} << range.first[0] & ~std::uint64_t{0} >> (kCells - 1 - range.last[0]);
+		const std::uint32_t from = range.first[0], end = range.last[0] + 1U;
+		const Row cells{bitsFrom(from) & ~bitsFrom(end),
+		                bitsFrom(from < 64 ? 0 : from - 64) & ~bitsFrom(end < 64 ? 0 : end - 64)};
 		for (std::size_t z = range.first[2]; z <= range.last[2]; ++z) {
 			for (std::size_t y = range.first[1]; y <= range.last[1]; ++y) {
 				if (visit(kCells * z + y, cells)) {
@@ -98,9 +123,8 @@ private:
 		return false;
 	}
 
-	BoundingBox box_;
-	std::array<double, 3> perHalfUnit_{};
-	std::array<std::uint64_t, kCells * kCells> rows_{};
+	std::array<double, 3> halfLow_{}, perHalfUnit_{};
+	std::vector<Row> rows_;
 };
 
 // A set of vertices that knows how many smaller ones there are of each: their new indices.
@@ -135,6 +159,39 @@ private:
 
 	std::vector<std::uint64_t> words_, before_;
 };
+
+// The faces that reach a cell of the grid, by the cells of their corners.
+Status collectNear(const FacesView& faces, const CellGrid& grid, int threads, Monitor& monitor,
+                   std::vector<std::uint32_t>& out) {
+	const Points& points = faces.points();
+	auto cells = HugeVector<Cell>::forOverwrite(points.size());
+	std::vector<std::vector<std::uint32_t>> parts(chunkCount(faces.count(), kGrain));
+	const Status status = inOrder(
+	    [&] {
+		    return parallelFor(points.size(), kGrain, threads, monitor,
+		                       [&](std::size_t begin, std::size_t end) {
+			                       for (std::size_t v = begin; v < end; ++v) {
+				                       cells[v] = grid.cellOf(points[v]);
+			                       }
+		                       });
+	    },
+	    [&] {
+		    return parallelForChunks(
+		        faces.count(), kGrain, threads, monitor,
+		        [&](std::size_t chunk, std::size_t begin, std::size_t end) {
+			        for (std::size_t f = begin; f < end; ++f) {
+				        const IndexTriangle t = faces[f];
+				        if (grid.isNear({cells[t[0]], cells[t[1]], cells[t[2]]})) {
+					        parts[chunk].push_back(static_cast<std::uint32_t>(f));
+				        }
+			        }
+		        });
+	    });
+	for (const std::vector<std::uint32_t>& part : parts) {
+		out.insert(out.end(), part.begin(), part.end());
+	}
+	return status;
+}
 
 // Corners in one place get one index, that of the first of them.
 void weld(FacesApart& faces) {
@@ -178,20 +235,7 @@ Status findFacesNear(const FacesView& faces, const std::vector<BoundingBox>& box
 	if (!status.ok() || boxes.empty()) {
 		return status;
 	}
-	std::vector<std::vector<std::uint32_t>> parts(chunkCount(faces.count(), kGrain));
-	const Status found =
-	    parallelForChunks(faces.count(), kGrain, threads, monitor,
-	                      [&](std::size_t chunk, std::size_t begin, std::size_t end) {
-		                      for (std::size_t face = begin; face < end; ++face) {
-			                      if (grid.isNear(faces, face)) {
-				                      parts[chunk].push_back(static_cast<std::uint32_t>(face));
-			                      }
-		                      }
-	                      });
-	for (const std::vector<std::uint32_t>& part : parts) {
-		out.insert(out.end(), part.begin(), part.end());
-	}
-	return found;
+	return collectNear(faces, grid, threads, monitor, out);
 }
 
 void copyFaces(const FacesView& faces, const std::vector<std::uint32_t>& which, FacesApart& out) {

@@ -1,8 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The Index Boolean authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Faces on the same three places are mates. One of them stands for all, unless they cancel out; the
-// others take no part. So a trial concerns the faces that change and their mates, before and after.
+// Faces on the same three places are mates. Those that cleaning cancels out take no part, and of
+// twins, on the same vertices, only one. So a trial concerns the faces that change and their mates,
+// before and after. Whether vertices in one place are united may change with a face that collapses:
+// the mates at its corners are looked at again.
 #include "vcg_ext/arrange/stored_faults.h"
 
 #include "vcg_ext/arrange/parted_faces.h"
@@ -70,14 +72,22 @@ Status StoredFaults::find() {
 	return status;
 }
 
-// At first: each face that is not collapsed, but of mates only those that stand for all.
+// At first: each face that is not collapsed, but for mates that do not.
 void StoredFaults::chooseStanding() {
-	for (const std::uint32_t f : distinctFaces(arrangement_, surface_)) {
-		stands_[f] = 1;
-	}
+	std::vector<KeyedFace<std::uint32_t>> keyed;
 	for (std::uint32_t f = 0; f < stands_.size(); ++f) {
-		if (stands_[f] == 0 && isTouched_[f] == 0 && !pollCancelled(monitor_)) {
-			chooseAmongMates(f);
+		stands_[f] = isCollapsed(surface_.stored[f]) ? 0 : 1;
+		if (stands_[f] != 0) {
+			keyed.push_back({faceKeyOf(surface_.stored[f]), f});
+		}
+	}
+	std::sort(keyed.begin(), keyed.end(), [](const auto& a, const auto& b) {
+		return a.key != b.key ? a.key < b.key : a.face < b.face;
+	});
+	for (std::size_t i = 1; i < keyed.size(); ++i) {
+		if (keyed[i].key == keyed[i - 1].key && isTouched_[keyed[i].face] == 0 &&
+		    !pollCancelled(monitor_)) {
+			chooseAmongMates(keyed[i].face);
 		}
 	}
 	forget();
@@ -195,15 +205,44 @@ void StoredFaults::setCorners(std::uint32_t face, const IndexTriangle& corners) 
 	write(face, corners);
 }
 
-// Whether two mates are one sheet folded onto itself.
-bool StoredFaults::cancel(std::uint32_t a, std::uint32_t b) const {
-	const MeshArrays& mesh = arrangement_.mesh;
-	return faceKeyOf(surface_.stored[a]).ascending != faceKeyOf(surface_.stored[b]).ascending &&
-	       mesh.operandOf(surface_.inputFaces[a]) == mesh.operandOf(surface_.inputFaces[b]) &&
-	       classOf_[a] == classOf_[b];
+// Whether edges of faces of one class lead from one vertex to another, all in one place: then
+// cleaning unites them.
+bool StoredFaults::areUnited(std::uint32_t from, std::uint32_t to, std::uint32_t inClass) const {
+	std::vector<std::uint32_t> reached{from};
+	for (std::size_t i = 0; i < reached.size() && reached[i] != to; ++i) {
+		for (const std::uint32_t face : facesAt_[reached[i]]) {
+			for (const std::uint32_t v : surface_.corners[face]) {
+				if (classOf_[face] == inClass && surface_.placeOf[v] == surface_.placeOf[from] &&
+				    std::find(reached.begin(), reached.end(), v) == reached.end()) {
+					reached.push_back(v);
+				}
+			}
+		}
+	}
+	return std::find(reached.begin(), reached.end(), to) != reached.end();
 }
 
-// Which of a face's mates stands: the first that none cancels out.
+// Whether two mates are one sheet folded onto itself, which cleaning takes away.
+bool StoredFaults::cancel(std::uint32_t a, std::uint32_t b) const {
+	const MeshArrays& mesh = arrangement_.mesh;
+	if (faceKeyOf(surface_.stored[a]).ascending == faceKeyOf(surface_.stored[b]).ascending ||
+	    mesh.operandOf(surface_.inputFaces[a]) != mesh.operandOf(surface_.inputFaces[b]) ||
+	    classOf_[a] != classOf_[b]) {
+		return false;
+	}
+	for (const std::uint32_t v : surface_.corners[a]) {
+		const IndexTriangle& other = surface_.corners[b];
+		const auto w = std::find_if(other.begin(), other.end(), [&](std::uint32_t u) {
+			return surface_.placeOf[u] == surface_.placeOf[v];
+		});
+		if (!areUnited(v, *w, classOf_[a])) {
+			return false;
+		}
+	}
+	return true;
+}
+
+// Which of a face's mates stand: those that none cancels out; of twins, one for both.
 void StoredFaults::chooseAmongMates(std::uint32_t face) {
 	if (isCollapsed(surface_.stored[face])) {
 		stands_[face] = 0;
@@ -217,11 +256,16 @@ void StoredFaults::chooseAmongMates(std::uint32_t face) {
 				isGone[i] = isGone[j] = 1;
 			}
 		}
+		const auto key = faceKeyOf(surface_.corners[mates_[i]]);
+		for (std::size_t j = i + 1; j < mates_.size() && isGone[i] == 0; ++j) {
+			if (faceKeyOf(surface_.corners[mates_[j]]) == key) {
+				isGone[j] = 1;
+			}
+		}
 	}
-	const auto first = std::find(isGone.begin(), isGone.end(), 0);
 	for (std::size_t i = 0; i < mates_.size(); ++i) {
 		touch(mates_[i]);
-		stands_[mates_[i]] = isGone.begin() + static_cast<std::ptrdiff_t>(i) == first ? 1 : 0;
+		stands_[mates_[i]] = isGone[i] == 0 ? 1 : 0;
 	}
 }
 
@@ -277,11 +321,25 @@ void StoredFaults::addFaults(std::uint32_t face) {
 	}
 }
 
-bool StoredFaults::settle() {
-	const std::size_t before = count();
+// Which touched faces stand now, and their mates. Those around a face that collapses may be united
+// by it.
+void StoredFaults::chooseAgain() {
+	for (std::size_t i = 0, most = touched_.size(); i < most; ++i) {
+		const IndexTriangle corners = surface_.corners[touched_[i]];
+		for (std::size_t k = 0;
+		     k < 3 && (stoodBefore_[i] == 0 || isCollapsed(surface_.stored[touched_[i]])); ++k) {
+			const std::vector<std::uint32_t>& around = facesAt_[corners[k]];
+			std::for_each(around.begin(), around.end(), [this](std::uint32_t f) { touch(f); });
+		}
+	}
 	for (std::size_t i = 0; i < touched_.size(); ++i) {  // mates join them meanwhile
 		chooseAmongMates(touched_[i]);
 	}
+}
+
+bool StoredFaults::settle() {
+	const std::size_t before = count();
+	chooseAgain();
 	for (const std::uint32_t face : touched_) {
 		removeFaults(face);
 	}

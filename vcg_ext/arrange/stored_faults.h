@@ -69,6 +69,7 @@ private:
 	void findNear(std::uint32_t face);
 	void findMates(std::uint32_t face);
 	void chooseAmongMates(std::uint32_t face);
+	bool areUnited(std::uint32_t from, std::uint32_t to, std::uint32_t inClass) const;
 	bool cancel(std::uint32_t a, std::uint32_t b) const;
 	void removeFaults(std::uint32_t face);
 	void addFaults(std::uint32_t face);
@@ -77,6 +78,7 @@ private:
 	void undo();
 	void forget();
 	void chooseStanding();
+	void chooseAgain();
 
 	const Arrangement& arrangement_;
 	StoredSurface& surface_;
@@ -85,10 +87,10 @@ private:
 	FacesView view_;                                   // by places
 	std::vector<std::vector<std::uint32_t>> facesAt_;  // per vertex
 	std::map<Point, std::uint32_t> numberOf_;          // places that faces have been tried in
-	std::vector<std::uint8_t> stands_;   // per face: not collapsed, and it stands for its mates
-	BoxTree tree_;                       // over the faces as they were at first
-	std::vector<std::uint8_t> isMoved_;  // per face: no longer as it was at first
-	std::vector<std::uint32_t> moved_;   // those
+	std::vector<std::uint8_t> stands_;                 // per face: it is still there once cleaned
+	BoxTree tree_;                                     // over the faces as they were at first
+	std::vector<std::uint8_t> isMoved_;                // per face: no longer as it was at first
+	std::vector<std::uint32_t> moved_;                 // those
 
 	std::map<std::uint32_t, std::set<std::uint32_t>> partners_;  // per face in a pair
 	std::set<std::uint32_t> zeroAreaFaces_;

@@ -253,11 +253,9 @@ Status findFaults(const StoredSurface& surface, const std::vector<std::uint32_t>
 	return status;
 }
 
-// Two faces on the same three places have either welded corners, or, as pieces of both operands,
-// corners that are on the other operand each.
+// Twins are pieces of both operands.
 std::vector<std::uint32_t> distinctFaces(const Arrangement& arrangement,
                                          const StoredSurface& surface) {
-	const bool anyWelded = surface.places.size() < surface.vertices.size();
 	std::vector<KeyedFace<std::uint32_t>> keyed;
 	std::vector<std::uint8_t> isLeftOut(surface.corners.size());
 	for (std::uint32_t f = 0; f < surface.corners.size(); ++f) {
@@ -266,9 +264,9 @@ std::vector<std::uint32_t> distinctFaces(const Arrangement& arrangement,
 			return arrangement.isOnOther(surface.vertices[v]);
 		};
 		isLeftOut[f] = isCollapsed(surface.stored[f]) ? 1 : 0;
-		if (isLeftOut[f] == 0 &&
-		    (anyWelded || std::all_of(corners.begin(), corners.end(), isOnOther))) {
-			keyed.push_back({faceKeyOf(surface.stored[f]), f});
+		if (isLeftOut[f] == 0 && f >= surface.firstPiece &&
+		    std::all_of(corners.begin(), corners.end(), isOnOther)) {
+			keyed.push_back({faceKeyOf(corners), f});
 		}
 	}
 	std::sort(keyed.begin(), keyed.end(), [](const auto& a, const auto& b) {

@@ -45,14 +45,15 @@ inline bool isCollapsed(const IndexTriangle& stored) {
 }
 
 // Finds what is wrong among some faces: pairs that meet wrongly and faces without area.
-// \param which ascending; none collapsed, no two on the same three places
+// \param which ascending; none collapsed. Two on the same three places meet wrongly
 // \param out   replaced; by the surface's faces
 // \return Ok, Cancelled, OutOfMemory, InternalError. Complexity: see findWrongPairsAmong.
 Status findFaults(const StoredSurface& surface, const std::vector<std::uint32_t>& which,
                   int threads, Monitor& monitor, WrongPairs& out);
 
-// The faces of a surface that are not collapsed, of those on the same three places only the first.
-// Throws std::bad_alloc. Complexity: O(n + d log d), d faces that another may coincide with.
+// The faces of a surface that are not collapsed, of twin pieces only one.
+// Throws std::bad_alloc. Complexity: O(n + d log d), d pieces with all corners on the other
+// operand.
 std::vector<std::uint32_t> distinctFaces(const Arrangement& arrangement,
                                          const StoredSurface& surface);
 
