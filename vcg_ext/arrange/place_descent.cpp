@@ -37,7 +37,7 @@ double gapAt(double x, OutputScalar scalar) {
 }  // namespace
 
 bool PlaceDescent::isDone() const {
-	constexpr std::size_t kMostTrials = 20000, kMostWork = 50000000;  // pairs of faces
+	constexpr std::size_t kMostTrials = 6000, kMostWork = 20000000;  // pairs of faces
 	return faults_.count() == 0 || arrangement_.placeRepair.trials >= kMostTrials ||
 	       faults_.work() >= kMostWork || pollCancelled(monitor_);
 }
@@ -74,7 +74,7 @@ void PlaceDescent::setPlace(const Move& move) {
 
 // \return whether it is better now; else nothing has changed
 bool PlaceDescent::attempt(const std::vector<Move>& moves) {
-	if (moves.empty() || isDone()) {
+	if (moves.empty() || arrangement_.placeRepair.trials >= mostTrials_ || isDone()) {
 		return false;
 	}
 	std::vector<Move> before;
@@ -204,8 +204,11 @@ bool PlaceDescent::moveOne(const Cluster& cluster, double reach) {
 	return false;
 }
 
-bool PlaceDescent::improve(const Cluster& cluster, double reach) {
-	return join(cluster, reach) || joinPairs(cluster, reach) || moveOne(cluster, reach);
+bool PlaceDescent::improve(const Cluster& cluster, double reach, Kind kind) {
+	constexpr std::size_t kMostTrials = 600;  // so that others have their turn
+	mostTrials_ = arrangement_.placeRepair.trials + kMostTrials;
+	return kind == Kind::Join ? join(cluster, reach)
+	                          : joinPairs(cluster, reach) || moveOne(cluster, reach);
 }
 
 void PlaceDescent::sortVertices(Cluster& cluster) const {
@@ -264,19 +267,21 @@ bool PlaceDescent::isStale(const Cluster& cluster) const {
 }
 
 // \return whether any cluster is better now
-bool PlaceDescent::runRound(double reach) {
+bool PlaceDescent::runRound(double reach, Kind kind) {
+	++arrangement_.placeRepair.rounds;
+	std::set<std::vector<std::uint32_t>>& failed = failed_[static_cast<std::size_t>(kind)];
 	bool isBetter = false;
 	for (const Cluster& cluster : clusters()) {
 		if (isDone()) {
 			break;
 		}
-		if (isStale(cluster) || failed_.count(cluster.faces) != 0) {
+		if (isStale(cluster) || failed.count(cluster.faces) != 0) {
 			continue;
 		}
-		if (improve(cluster, reach)) {
+		if (improve(cluster, reach, kind)) {
 			isBetter = true;
 		} else {
-			failed_.insert(cluster.faces);
+			failed.insert(cluster.faces);
 		}
 	}
 	return isBetter;
@@ -289,10 +294,9 @@ Status PlaceDescent::run() {
 	report.faultsBefore = faults_.count();
 	double steps = 1;
 	while (steps <= kMostSteps && !isDone()) {
-		++report.rounds;
-		if (!runRound(steps * unit_)) {
+		if (!runRound(steps * unit_, Kind::Join) && !runRound(steps * unit_, Kind::Move)) {
 			steps *= 2;
-			failed_.clear();
+			failed_ = {};
 		}
 	}
 	report.isGivenUp = steps <= kMostSteps && faults_.count() != 0;

@@ -42,12 +42,16 @@ private:
 		std::vector<std::uint32_t> faces, vertices;
 	};
 
+	// What is tried: to join all vertices that are near each other, which takes few trials, then
+	// two of them, or to move one.
+	enum class Kind : std::uint8_t { Join, Move };
+
 	bool isDone() const;
-	bool runRound(double reach);
+	bool runRound(double reach, Kind kind);
 	std::vector<Cluster> clusters() const;
 	void sortVertices(Cluster& cluster) const;
 	bool isStale(const Cluster& cluster) const;
-	bool improve(const Cluster& cluster, double reach);
+	bool improve(const Cluster& cluster, double reach, Kind kind);
 	bool join(const Cluster& cluster, double reach);
 	bool joinPairs(const Cluster& cluster, double reach);
 	bool moveOne(const Cluster& cluster, double reach);
@@ -66,7 +70,9 @@ private:
 	double unit_;
 	Monitor& monitor_;
 	PiecePatches patches_;
-	std::set<std::vector<std::uint32_t>> failed_;  // clusters, by their faces, at this reach
+	std::size_t mostTrials_ = 0;  // until the cluster's turn ends
+	// Per kind: clusters, by their faces, that are no better for it at this reach.
+	std::array<std::set<std::vector<std::uint32_t>>, 2> failed_;
 };
 
 }  // namespace index_boolean

@@ -18,7 +18,10 @@ namespace index_boolean {
 
 namespace {
 
-bool meet(const BoundingBox& a, const BoundingBox& b) { return !commonBox(a, b).empty(); }
+bool meet(const BoundingBox& a, const BoundingBox& b) {
+	return a.lo[0] <= b.hi[0] && b.lo[0] <= a.hi[0] && a.lo[1] <= b.hi[1] && b.lo[1] <= a.hi[1] &&
+	       a.lo[2] <= b.hi[2] && b.lo[2] <= a.hi[2];
+}
 
 }  // namespace
 
@@ -44,6 +47,10 @@ Status StoredFaults::find() {
 		for (const std::uint32_t v : surface_.corners[f]) {
 			facesAt_[v].push_back(f);
 		}
+	}
+	verticesAt_.resize(surface_.places.size());
+	for (std::uint32_t v = 0; v < surface_.vertices.size(); ++v) {
+		verticesAt_[surface_.placeOf[v]].push_back(v);
 	}
 	for (std::uint32_t p = 0; p < surface_.places.size(); ++p) {
 		numberOf_[surface_.places[p]] = p;
@@ -128,10 +135,11 @@ void StoredFaults::findMates(std::uint32_t face) {
 		return;
 	}
 	const auto key = faceKeyOf(surface_.stored[face]);
-	findNear(face);
-	for (const std::uint32_t other : near_) {
-		if (faceKeyOf(surface_.stored[other]) == key) {
-			mates_.push_back(other);
+	for (const std::uint32_t v : verticesAt_[surface_.stored[face][0]]) {
+		for (const std::uint32_t other : facesAt_[v]) {
+			if (other != face && faceKeyOf(surface_.stored[other]) == key) {
+				mates_.push_back(other);
+			}
 		}
 	}
 	std::sort(mates_.begin(), mates_.end());
@@ -151,6 +159,7 @@ std::uint32_t StoredFaults::placeNumber(const Point& place) {
 	const auto [it, isNew] = numberOf_.emplace(place, next);
 	if (isNew) {
 		surface_.places.push_back(place);
+		verticesAt_.emplace_back();
 	}
 	return it->second;
 }
@@ -170,6 +179,9 @@ void StoredFaults::write(std::uint32_t face, const IndexTriangle& corners) {
 }
 
 void StoredFaults::writePlace(std::uint32_t vertex, std::uint32_t place) {
+	std::vector<std::uint32_t>& before = verticesAt_[surface_.placeOf[vertex]];
+	before.erase(std::find(before.begin(), before.end(), vertex));
+	verticesAt_[place].push_back(vertex);
 	surface_.placeOf[vertex] = place;
 	for (const std::uint32_t face : facesAt_[vertex]) {
 		for (std::size_t i = 0; i < 3; ++i) {

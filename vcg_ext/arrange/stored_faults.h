@@ -84,13 +84,14 @@ private:
 	StoredSurface& surface_;
 	std::vector<std::uint32_t> classOf_;
 	Monitor& monitor_;
-	FacesView view_;                                   // by places
-	std::vector<std::vector<std::uint32_t>> facesAt_;  // per vertex
-	std::map<Point, std::uint32_t> numberOf_;          // places that faces have been tried in
-	std::vector<std::uint8_t> stands_;                 // per face: it is still there once cleaned
-	BoxTree tree_;                                     // over the faces as they were at first
-	std::vector<std::uint8_t> isMoved_;                // per face: no longer as it was at first
-	std::vector<std::uint32_t> moved_;                 // those
+	FacesView view_;                                      // by places
+	std::vector<std::vector<std::uint32_t>> facesAt_;     // per vertex
+	std::vector<std::vector<std::uint32_t>> verticesAt_;  // per place
+	std::map<Point, std::uint32_t> numberOf_;             // places that faces have been tried in
+	std::vector<std::uint8_t> stands_;   // per face: it is still there once cleaned
+	BoxTree tree_;                       // over the faces as they were at first
+	std::vector<std::uint8_t> isMoved_;  // per face: no longer as it was at first
+	std::vector<std::uint32_t> moved_;   // those
 
 	std::map<std::uint32_t, std::set<std::uint32_t>> partners_;  // per face in a pair
 	std::set<std::uint32_t> zeroAreaFaces_;
