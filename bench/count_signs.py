@@ -18,8 +18,8 @@ import compare
 
 # The stages whose work grows with the pairs, not with the faces.
 PAIR_STAGES = (
-    "octree_pairs", "triangle_contact", "curve_points", "cut_lines", "retriangulate", "loops",
-    "labels", "overlap_owners",
+    "octree_pairs", "triangle_contact", "curve_points", "cut_lines", "retriangulate",
+    "repair_places", "loops", "labels", "overlap_owners",
 )
 SIGNS = ("orient3d", "orient2d", "curve_orient2d", "curve_order")
 HEADERS = (

@@ -29,6 +29,7 @@ STAGES = (
     "curve_points",
     "cut_lines",
     "retriangulate",
+    "repair_places",
     "loops",
     "labels",
     "overlap_owners",
