@@ -18,6 +18,8 @@ namespace index_boolean {
 
 namespace {
 
+constexpr std::size_t kGrain = 1 << 15;
+
 bool meet(const BoundingBox& a, const BoundingBox& b) {
 	return a.lo[0] <= b.hi[0] && b.lo[0] <= a.hi[0] && a.lo[1] <= b.hi[1] && b.lo[1] <= a.hi[1] &&
 	       a.lo[2] <= b.hi[2] && b.lo[2] <= a.hi[2];
@@ -38,27 +40,54 @@ BoundingBox StoredFaults::boxOf(std::uint32_t face) const {
 	return box;
 }
 
+// Which faces are at each vertex, which vertices in each place, which number each place has.
+Status StoredFaults::listNeighbours() {
+	facesAt_.resize(surface_.vertices.size());
+	verticesAt_.resize(surface_.places.size());
+	return inOrder(
+	    [&] {
+		    return inOrderFor(surface_.corners.size(), kGrain, monitor_,
+		                      [this](std::size_t begin, std::size_t end) {
+			                      for (std::size_t f = begin; f < end; ++f) {
+				                      for (const std::uint32_t v : surface_.corners[f]) {
+					                      facesAt_[v].push_back(static_cast<std::uint32_t>(f));
+				                      }
+			                      }
+		                      });
+	    },
+	    [&] {
+		    return inOrderFor(surface_.vertices.size(), kGrain, monitor_,
+		                      [this](std::size_t begin, std::size_t end) {
+			                      for (std::size_t v = begin; v < end; ++v) {
+				                      const std::uint32_t place = surface_.placeOf[v];
+				                      verticesAt_[place].push_back(static_cast<std::uint32_t>(v));
+				                      numberOf_[surface_.places[place]] = place;
+			                      }
+		                      });
+	    });
+}
+
+// A tree for so many faces each: none takes long.
+Status StoredFaults::plantTrees() {
+	const std::size_t faceCount = surface_.corners.size();
+	trees_.resize(chunkCount(faceCount, kGrain));
+	return parallelForChunks(faceCount, kGrain, arrangement_.options.threads, monitor_,
+	                         [this](std::size_t chunk, std::size_t begin, std::size_t end) {
+		                         std::vector<BoundingBox> boxes;
+		                         for (std::size_t f = begin; f < end; ++f) {
+			                         boxes.push_back(boxOf(static_cast<std::uint32_t>(f)));
+		                         }
+		                         trees_[chunk] = BoxTree(std::move(boxes));
+	                         });
+}
+
 Status StoredFaults::find() {
 	const std::size_t faceCount = surface_.corners.size();
-	facesAt_.resize(surface_.vertices.size());
-	std::vector<BoundingBox> boxes;
-	for (std::uint32_t f = 0; f < faceCount; ++f) {
-		boxes.push_back(boxOf(f));
-		for (const std::uint32_t v : surface_.corners[f]) {
-			facesAt_[v].push_back(f);
-		}
+	const Status listed =
+	    inOrder([this] { return listNeighbours(); }, [this] { return plantTrees(); });
+	if (!listed.ok()) {
+		return listed;
 	}
-	verticesAt_.resize(surface_.places.size());
-	for (std::uint32_t v = 0; v < surface_.vertices.size(); ++v) {
-		verticesAt_[surface_.placeOf[v]].push_back(v);
-	}
-	for (std::uint32_t p = 0; p < surface_.places.size(); ++p) {
-		numberOf_[surface_.places[p]] = p;
-	}
-	if (pollCancelled(monitor_)) {
-		return statusOf(StatusCode::Cancelled);
-	}
-	tree_ = BoxTree(std::move(boxes));
 	isMoved_.resize(faceCount);
 	isTouched_.resize(faceCount);
 	stands_.resize(faceCount);
@@ -113,13 +142,16 @@ std::vector<std::uint32_t> StoredFaults::facesConcerned() const {
 void StoredFaults::findNear(std::uint32_t face) {
 	near_.clear();
 	const BoundingBox box = boxOf(face);
-	tree_.visit(
-	    0, [&box](const BoundingBox& other) { return meet(box, other); },
-	    [&](std::uint32_t other) {
-		    if (other != face && isMoved_[other] == 0) {
-			    near_.push_back(other);
-		    }
-	    });
+	for (std::size_t tree = 0; tree < trees_.size(); ++tree) {
+		const auto first = static_cast<std::uint32_t>(tree * kGrain);
+		trees_[tree].visit(
+		    0, [&box](const BoundingBox& other) { return meet(box, other); },
+		    [&](std::uint32_t i) {
+			    if (first + i != face && isMoved_[first + i] == 0) {
+				    near_.push_back(first + i);
+			    }
+		    });
+	}
 	for (const std::uint32_t other : moved_) {
 		if (other != face && meet(box, boxOf(other))) {
 			near_.push_back(other);

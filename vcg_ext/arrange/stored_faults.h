@@ -77,6 +77,8 @@ private:
 	void removePair(std::uint32_t a, std::uint32_t b);
 	void undo();
 	void forget();
+	Status listNeighbours();
+	Status plantTrees();
 	void chooseStanding();
 	void chooseAgain();
 
@@ -89,7 +91,7 @@ private:
 	std::vector<std::vector<std::uint32_t>> verticesAt_;  // per place
 	std::map<Point, std::uint32_t> numberOf_;             // places that faces have been tried in
 	std::vector<std::uint8_t> stands_;   // per face: it is still there once cleaned
-	BoxTree tree_;                       // over the faces as they were at first
+	std::vector<BoxTree> trees_;         // over the faces as they were at first
 	std::vector<std::uint8_t> isMoved_;  // per face: no longer as it was at first
 	std::vector<std::uint32_t> moved_;   // those
 
