@@ -145,6 +145,9 @@ bool PlaceDescent::join(const Cluster& cluster, double reach) {
 bool PlaceDescent::joinPairs(const Cluster& cluster, double reach) {
 	const std::vector<std::uint32_t>& vertices = cluster.vertices;
 	for (const std::uint32_t v : vertices) {
+		if (isDone()) {
+			return false;
+		}
 		for (const std::uint32_t other : vertices) {
 			if (v != other && faults_.place(v) != faults_.place(other) &&
 			    areNear(v, other, reach) && mayBeAt(v, faults_.place(other)) &&
@@ -191,6 +194,9 @@ std::vector<Point> PlaceDescent::placesAround(std::uint32_t vertex, double reach
 bool PlaceDescent::moveOne(const Cluster& cluster, double reach) {
 	for (const bool areInput : {false, true}) {
 		for (const std::uint32_t v : cluster.vertices) {
+			if (isDone()) {
+				return false;
+			}
 			if (isInput(v) != areInput || isFixed(v)) {
 				continue;
 			}
@@ -211,23 +217,42 @@ bool PlaceDescent::improve(const Cluster& cluster, double reach, Kind kind) {
 	                          : joinPairs(cluster, reach) || moveOne(cluster, reach);
 }
 
+// Ranks the corners of faces in the order of their exact places. Comparing takes long, so each is
+// put among the others once.
+void PlaceDescent::rankVertices(const std::vector<std::uint32_t>& faces) {
+	isRanked_.resize(faults_.surface().vertices.size());
+	rankOf_.resize(isRanked_.size());
+	const auto isBefore = [this](std::uint32_t a, std::uint32_t b) {
+		return comparePlaces(arrangement_, nameOf(a), nameOf(b)) < 0;
+	};
+	for (const std::uint32_t face : faces) {
+		for (const std::uint32_t v : faults_.surface().corners[face]) {
+			if (isRanked_[v] == 0 && !pollCancelled(monitor_)) {
+				isRanked_[v] = 1;
+				ranked_.insert(std::lower_bound(ranked_.begin(), ranked_.end(), v, isBefore), v);
+			}
+		}
+	}
+	for (std::uint32_t rank = 0; rank < ranked_.size(); ++rank) {
+		rankOf_[ranked_[rank]] = rank;
+	}
+}
+
 void PlaceDescent::sortVertices(Cluster& cluster) const {
 	for (const std::uint32_t face : cluster.faces) {
 		const IndexTriangle& t = faults_.surface().corners[face];
 		cluster.vertices.insert(cluster.vertices.end(), t.begin(), t.end());
 	}
-	std::sort(cluster.vertices.begin(), cluster.vertices.end());
+	std::sort(cluster.vertices.begin(), cluster.vertices.end(),
+	          [this](std::uint32_t a, std::uint32_t b) { return rankOf_[a] < rankOf_[b]; });
 	cluster.vertices.erase(std::unique(cluster.vertices.begin(), cluster.vertices.end()),
 	                       cluster.vertices.end());
-	std::sort(cluster.vertices.begin(), cluster.vertices.end(),
-	          [this](std::uint32_t a, std::uint32_t b) {
-		          return comparePlaces(arrangement_, nameOf(a), nameOf(b)) < 0;
-	          });
 }
 
 // Faces that meet wrongly, or have a place in common, are of one cluster. In the order of places.
-std::vector<PlaceDescent::Cluster> PlaceDescent::clusters() const {
+std::vector<PlaceDescent::Cluster> PlaceDescent::clusters() {
 	const std::vector<std::uint32_t> faces = faults_.facesConcerned();
+	rankVertices(faces);
 	UnionFind sets(faces.size());
 	const auto indexOf = [&faces](std::uint32_t face) {
 		return static_cast<std::uint32_t>(std::lower_bound(faces.begin(), faces.end(), face) -
@@ -254,8 +279,7 @@ std::vector<PlaceDescent::Cluster> PlaceDescent::clusters() const {
 		list.push_back(std::move(cluster));
 	}
 	std::sort(list.begin(), list.end(), [this](const Cluster& a, const Cluster& b) {
-		const int order = comparePlaces(arrangement_, nameOf(a.vertices[0]), nameOf(b.vertices[0]));
-		return order < 0;
+		return rankOf_[a.vertices[0]] < rankOf_[b.vertices[0]];
 	});
 	return list;
 }

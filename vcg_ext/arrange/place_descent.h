@@ -48,7 +48,8 @@ private:
 
 	bool isDone() const;
 	bool runRound(double reach, Kind kind);
-	std::vector<Cluster> clusters() const;
+	std::vector<Cluster> clusters();
+	void rankVertices(const std::vector<std::uint32_t>& faces);
 	void sortVertices(Cluster& cluster) const;
 	bool isStale(const Cluster& cluster) const;
 	bool improve(const Cluster& cluster, double reach, Kind kind);
@@ -70,7 +71,9 @@ private:
 	double unit_;
 	Monitor& monitor_;
 	PiecePatches patches_;
-	std::size_t mostTrials_ = 0;  // until the cluster's turn ends
+	std::size_t mostTrials_ = 0;          // until the cluster's turn ends
+	std::vector<std::uint8_t> isRanked_;  // per vertex of the surface
+	std::vector<std::uint32_t> rankOf_, ranked_;
 	// Per kind: clusters, by their faces, that are no better for it at this reach.
 	std::array<std::set<std::vector<std::uint32_t>>, 2> failed_;
 };
