@@ -5,6 +5,7 @@
 // those that it does not.
 #include "core/shapes.h"
 
+#include <vcg_ext/arrange/piece_patches.h>
 #include <vcg_ext/arrange/places.h>
 #include <vcg_ext/arrange/repair_places.h>
 #include <vcg_ext/arrange/stored_faults.h>
@@ -12,6 +13,7 @@
 #include <gtest/gtest.h>
 
 #include <map>
+#include <numeric>
 #include <set>
 
 namespace index_boolean {
@@ -300,6 +302,56 @@ TEST(RepairPlaces, keepsPiecesAndRegions) {
 		EXPECT_EQ(std::set<std::uint32_t>(corners.begin(), corners.end()),
 		          std::set<std::uint32_t>(old.begin(), old.end()));
 	}
+}
+
+// With its faces in front.
+Mesh solid(Mesh m) { return volumeOf(m.points, m.triangles) < 0 ? turned(m) : m; }
+
+// A wedge that stands on the plane z = 2 with an edge, and two tetrahedra on tips, one to each side
+// of the middle of that edge: its two faces want it flipped, from tip to tip.
+Mesh wedgeBetweenTips() {
+	const Mesh wedge = solid(
+	    {{{1.5, 1, 2}, {1.5, .9, 3}, {1.5, 1.1, 3}, {3.5, 1, 2}, {3.5, .9, 3}, {3.5, 1.1, 3}},
+	     {{0, 1, 2}, {3, 5, 4}, {0, 3, 4}, {0, 4, 1}, {1, 4, 5}, {1, 5, 2}, {2, 5, 3}, {2, 3, 0}}});
+	const auto tip = [](double y) {
+		return solid({{{2.5, y, 2}, {2.4, y, 3}, {2.6, y, 3}, {2.5, y + (y - 1) / 4, 3}},
+		              {{0, 1, 2}, {0, 3, 1}, {0, 2, 3}, {1, 3, 2}}});
+	};
+	return joined(wedge, joined(tip(.7), tip(1.3)));
+}
+
+// A segment that parts no regions stays an edge of two pieces.
+TEST(PiecePatches, flipNoSegment) {
+	BooleanRun r = run(box({0, 0, 0}, {4, 4, 2}), wedgeBetweenTips(), withThreads(2, false));
+	ASSERT_TRUE(r.status.ok()) << describe(r.status);
+	Arrangement& arrangement = r.arrangement;
+	StoredSurface surface;
+	Monitor monitor;
+	const VertexId begin = arrangement.curve.segments.at(0).begin;
+	const VertexId end = arrangement.curve.segments.at(0).end;
+	arrangement.options.outputScalar = OutputScalar::Float;  // so that all faces are collected
+	arrangement.mesh.points[0][0] = 1e-9;
+	ASSERT_TRUE(collectStoredSurface(arrangement, 0, monitor, surface).ok());
+	StoredFaults faults(arrangement, surface, std::vector<std::uint32_t>(surface.corners.size()),
+	                    monitor);
+	ASSERT_TRUE(faults.find().ok());
+	const auto piecesAtSegment = [&] {
+		std::size_t count = 0;
+		for (std::size_t f = surface.firstPiece; f < surface.corners.size(); ++f) {
+			std::size_t ends = 0;
+			for (const std::uint32_t v : surface.corners[f]) {
+				ends += surface.vertices[v] == begin || surface.vertices[v] == end ? 1 : 0;
+			}
+			count += ends == 2 && arrangement.mesh.operandOf(surface.inputFaces[f]) == kFirst;
+		}
+		return count;
+	};
+	ASSERT_EQ(piecesAtSegment(), 2U);
+	std::vector<std::uint32_t> vertices(surface.vertices.size());
+	std::iota(vertices.begin(), vertices.end(), 0U);
+	PiecePatches patches(arrangement, faults, monitor);
+	patches.flipAround(vertices);
+	EXPECT_EQ(piecesAtSegment(), 2U);
 }
 
 // Faults that are kept up to date are those that a search finds; what is not better is undone.
