@@ -209,10 +209,10 @@ struct Polygons {
 };
 
 // What became of the faces of both refined surfaces that, as stored, meet others wrongly or have no
-// area: the faces concerned.
+// area: the faces concerned. All are 0 if there was none.
 struct PlaceRepair {
 	std::size_t concernedBefore = 0, concernedAfter = 0;  // faces
-	std::size_t faultsBefore = 0, faultsAfter = 0;        // pairs that meet wrongly, flat faces
+	std::size_t faultsBefore = 0, faultsAfter = 0;        // pairs and zero-area faces
 	std::size_t rounds = 0;                               // over all clusters of such faces
 	std::size_t trials = 0;
 	double largestMove = 0;  // how far a vertex is stored from its correctly rounded place

@@ -14,18 +14,20 @@
 
 namespace index_boolean {
 
-// Lists the suspect faces and those whose boxes reach a cell of a suspect one's, in a grid of
-// 126 cells along each axis of the suspect faces' box.
+// Lists the suspect faces and those whose boxes reach a cell of a suspect one's, in a grid of 126
+// cells along each axis of the suspect faces' box.
 // \param isSuspect per face, not 0: suspect
 // \param out       replaced; ascending; empty if no face is suspect
-// \return Ok, Cancelled or OutOfMemory. Complexity: O(n + v) for v points, in parallel, and O(s
-// c^2) for s suspect faces whose boxes reach c cells along an axis.
+// \return Ok, Cancelled or OutOfMemory. Complexity: O(n + v) for v points, in parallel, and
+// O(s c^2) for s suspect faces whose boxes reach c cells along an axis.
 Status findNearFaces(const FacesView& faces, const std::vector<std::uint8_t>& isSuspect,
                      int threads, Monitor& monitor, std::vector<std::uint32_t>& out);
 
 // Lists the faces of a surface whose boxes reach a cell of one of these boxes, which may be those
-// of suspect faces elsewhere; cells as above. \param boxes none of them empty; finite \param out
-// replaced; ascending \return Ok, Cancelled or OutOfMemory. Complexity: as above.
+// of suspect faces elsewhere; cells as above.
+// \param boxes none of them empty; finite
+// \param out   replaced; ascending
+// \return Ok, Cancelled or OutOfMemory. Complexity: as above.
 Status findFacesNear(const FacesView& faces, const std::vector<BoundingBox>& boxes, int threads,
                      Monitor& monitor, std::vector<std::uint32_t>& out);
 

@@ -37,7 +37,7 @@ double gapAt(double x, OutputScalar scalar) {
 }  // namespace
 
 bool PlaceDescent::isDone() const {
-	constexpr std::size_t kMostTrials = 6000, kMostWork = 20000000;  // pairs of faces
+	constexpr std::size_t kMostTrials = 6000, kMostWork = 2000000;  // faces
 	return faults_.count() == 0 || arrangement_.placeRepair.trials >= kMostTrials ||
 	       faults_.work() >= kMostWork || pollCancelled(monitor_);
 }

@@ -157,7 +157,6 @@ void StoredFaults::findNear(std::uint32_t face) {
 			near_.push_back(other);
 		}
 	}
-	work_ += near_.size();
 }
 
 // The faces on the same three places as one, with it, ascending; itself alone if it is collapsed.
@@ -384,6 +383,7 @@ void StoredFaults::chooseAgain() {
 bool StoredFaults::settle() {
 	const std::size_t before = count();
 	chooseAgain();
+	work_ += touched_.size();
 	for (const std::uint32_t face : touched_) {
 		removeFaults(face);
 	}
@@ -395,7 +395,8 @@ bool StoredFaults::settle() {
 			zeroAreaAdded_.push_back(face);
 		}
 	}
-	for (std::size_t i = 0; i < touched_.size() && count() < before; ++i) {
+	for (std::size_t i = 0; i < touched_.size() && count() < before && !pollCancelled(monitor_);
+	     ++i) {
 		addFaults(touched_[i]);
 	}
 	const bool isBetter = count() < before && !pollCancelled(monitor_);

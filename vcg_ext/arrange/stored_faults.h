@@ -57,7 +57,7 @@ public:
 	// undone. Complexity: O(c k) for c faces changed and k faces near each of them.
 	bool settle();
 
-	// How many pairs of faces have been looked at so far.
+	// How many faces have been looked at in trials so far: the same in any numbering.
 	std::size_t work() const { return work_; }
 
 private:

@@ -31,9 +31,10 @@ struct StoredSurface {
 	bool anySuspect = false;
 };
 
-// Collects the faces. \param reach how far from the suspect faces those that may meet them are
-// looked for, in the operands' unit
-// \param out   replaced; empty but for anySuspect if no face is suspect
+// Collects the faces.
+// \param reach how far from suspect faces those that may meet them are looked for, in the unit of
+//              the operands' coordinates; not negative
+// \param out   replaced; has no face, and anySuspect is false, if nothing is rounded
 // \return Ok, Cancelled or OutOfMemory. Complexity: O(n) for n faces, in parallel, and O(s) for s
 // pieces and faces near them.
 Status collectStoredSurface(const Arrangement& arrangement, double reach, Monitor& monitor,

@@ -423,7 +423,7 @@ TEST(StoredFaults, seeAFoldGo) {
 	faults.setPlace(2, {2, 2, 0});
 	EXPECT_FALSE(faults.settle());
 	EXPECT_EQ(faults.place(2), (Point{2, 1, 0}));
-	faults.setPlace(2, {2, 0, 0});  // a flat face instead of a pair
+	faults.setPlace(2, {2, 0, 0});  // a zero-area face instead of a pair
 	EXPECT_FALSE(faults.settle());
 	EXPECT_EQ(faults.count(), 1U);
 	faults.setPlace(2, {2, -1, 0});
