@@ -21,7 +21,8 @@ std::string keyOf(std::string stage) {
 	return stage;
 }
 
-void addBlock(const Block& block, const BlockMeasure& measure, int layerId, ResultMap& map) {
+void addBlock(const Block& block, const BlockMeasure& measure, const PlaceRepair& repair,
+              int layerId, ResultMap& map) {
 	const std::string name = operationName(block.operation);
 	map[name + "_layer"] = layerId;
 	map[name + "_volume"] = measure.volume;
@@ -30,6 +31,13 @@ void addBlock(const Block& block, const BlockMeasure& measure, int layerId, Resu
 	map[name + "_components"] = toInt(measure.components);
 	map[name + "_closed"] = measure.closed;
 	map[name + "_self_intersections"] = static_cast<int>(block.certificate.count());
+	if (block.certificate.isKnown) {
+		map[name + "_repair_rounds"] = toInt(repair.rounds);
+		map[name + "_moved_vertices"] = toInt(block.repair.movedVertices);
+		map[name + "_largest_move"] = repair.largestMove;
+		map[name + "_volume_change"] = block.repair.volumeChange;
+		map[name + "_vanished_components"] = toInt(block.repair.vanishedComponents);
+	}
 }
 
 // Those of all meshes.
@@ -153,7 +161,8 @@ ResultMap resultMap(const BooleanResult& result, const std::vector<int>& layerId
                     const AdapterSeconds& seconds) {
 	ResultMap map;
 	for (std::size_t i = 0; i < result.blocks.size(); ++i) {
-		addBlock(result.blocks[i], result.audit.blocks[i], layerIds[i], map);
+		addBlock(result.blocks[i], result.audit.blocks[i], result.report.placeRepair, layerIds[i],
+		         map);
 	}
 	map["volume_law_residual"] = result.audit.volumeLawResidual;
 	map["zero_area_faces_removed"] = toInt(zeroAreaFacesRemoved(result.blocks));

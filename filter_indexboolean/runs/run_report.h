@@ -17,6 +17,7 @@ struct RunReport {
 	PerOperand<bool> insideOut;  // as in the arrangement
 	DuplicateFaces duplicates;
 	LoopCounts loopCounts;
+	PlaceRepair placeRepair;
 	std::vector<StageTime> stageTimes;  // in the order of the stages
 	double seconds = 0;                 // from arrays to arrays
 
@@ -36,6 +37,7 @@ inline RunReport reportOf(const Arrangement& arrangement) {
 	report.insideOut = arrangement.insideOut;
 	report.duplicates = arrangement.duplicates;
 	report.loopCounts = arrangement.loopCounts;
+	report.placeRepair = arrangement.placeRepair;
 	report.stageTimes = arrangement.stageTimes;
 	return report;
 }

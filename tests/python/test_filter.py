@@ -320,6 +320,11 @@ class TestResultMap:
                 "components": int,
                 "closed": bool,
                 "self_intersections": int,
+                "repair_rounds": int,
+                "moved_vertices": int,
+                "largest_move": float,
+                "volume_change": float,
+                "vanished_components": int,
             }
             expected.update({f"{block}_{name}": kind for name, kind in types.items()})
         for name in ("read_layers", "write_layers", "core", "total", *STAGES):

@@ -216,6 +216,8 @@ struct PlaceRepair {
 	std::size_t rounds = 0;                               // over all clusters of such faces
 	std::size_t trials = 0;
 	double largestMove = 0;  // how far a vertex is stored from its correctly rounded place
+	bool areFacesFine =
+	    false;               // searched: no two of all faces meet wrongly as stored, none is flat
 	bool isGivenUp = false;  // there were too many faces, or trials: some have not been tried
 };
 

@@ -97,15 +97,18 @@ Status descend(Arrangement& arrangement, Monitor& monitor) {
 	return status;
 }
 
-// Whether anything is wrong.
-Status look(const Arrangement& arrangement, Monitor& monitor, WrongPairs& wrong) {
+// Whether anything is wrong. \param areAllDistinct no face is another one's twin, or collapsed
+Status look(const Arrangement& arrangement, Monitor& monitor, WrongPairs& wrong,
+            bool& areAllDistinct) {
 	StoredSurface surface;
 	const Status status = collectStoredSurface(arrangement, 0, monitor, surface);
+	areAllDistinct = true;
 	if (!status.ok() || !surface.anySuspect) {
 		return status;
 	}
-	return findFaults(surface, distinctFaces(arrangement, surface), arrangement.options.threads,
-	                  monitor, wrong);
+	const std::vector<std::uint32_t> faces = distinctFaces(arrangement, surface);
+	areAllDistinct = faces.size() == surface.corners.size();
+	return findFaults(surface, faces, arrangement.options.threads, monitor, wrong);
 }
 
 std::size_t countFaces(const WrongPairs& wrong) {
@@ -126,11 +129,13 @@ Status repairPlaces(Arrangement& arrangement, Monitor& monitor) {
 		return {};
 	}
 	WrongPairs wrong;
-	const Status status = look(arrangement, monitor, wrong);
+	PlaceRepair& report = arrangement.placeRepair;
+	bool areAllDistinct = false;
+	const Status status = look(arrangement, monitor, wrong, areAllDistinct);
 	if (!status.ok() || (wrong.pairs.empty() && wrong.zeroAreaFaces.empty())) {
+		report.areFacesFine = status.ok() && areAllDistinct;
 		return status;
 	}
-	PlaceRepair& report = arrangement.placeRepair;
 	report.concernedBefore = report.concernedAfter = countFaces(wrong);
 	report.faultsBefore = report.faultsAfter = wrong.pairs.size() + wrong.zeroAreaFaces.size();
 	if (report.concernedBefore > kMostFaces) {

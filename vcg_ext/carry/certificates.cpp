@@ -67,9 +67,11 @@ std::vector<std::uint32_t> facesOf(const WrongPairs& found) {
 }  // namespace
 
 Status certify(const Arrangement& arrangement, const SourcedMesh& mesh,
-               const std::vector<std::uint32_t>& part, Monitor& monitor, Certificate& out) {
+               const std::vector<std::uint32_t>& part, bool isAsCut, Monitor& monitor,
+               Certificate& out) {
 	out = {};
-	if (!arrangement.options.certify) {
+	out.isKnown = arrangement.options.certify && isAsCut && arrangement.placeRepair.areFacesFine;
+	if (!arrangement.options.certify || out.isKnown) {
 		return {};
 	}
 	WrongPairOptions options;

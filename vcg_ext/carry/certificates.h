@@ -19,10 +19,14 @@ namespace index_boolean {
 // Finds the faces that meet others wrongly, and flat ones.
 // \param mesh  read from the arrangement, cleaned, before its vertices part at seams
 // \param part  per face; empty if all are one. Each part is judged by itself
+// \param isAsCut its faces are those of the refined operands, none merged, cleaned or flipped
+// since:
+//              what repair_places has found of all of them is true of these
 // \param out   replaced; not known with options.certify off
 // \return Ok, Cancelled, OutOfMemory, InternalError
 // Complexity: one pass over the faces, then that of findWrongPairsAmong. In parallel.
 Status certify(const Arrangement& arrangement, const SourcedMesh& mesh,
-               const std::vector<std::uint32_t>& part, Monitor& monitor, Certificate& out);
+               const std::vector<std::uint32_t>& part, bool isAsCut, Monitor& monitor,
+               Certificate& out);
 
 }  // namespace index_boolean

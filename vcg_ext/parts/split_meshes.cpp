@@ -144,7 +144,8 @@ std::vector<std::uint32_t> SplitMeshCollector::subSurfaceOfFaces() const {
 Status SplitMeshCollector::certify(bool isBlock) {
 	const std::vector<std::uint32_t> part =
 	    isBlock ? std::vector<std::uint32_t>{} : subSurfaceOfFaces();
-	return index_boolean::certify(arrangement_, out_, part, monitor_, out_.certificate);
+	return index_boolean::certify(arrangement_, out_, part, out_.zeroAreaFacesRemoved == 0,
+	                              monitor_, out_.certificate);
 }
 
 // Polygons end where sub-surfaces do.
