@@ -6,6 +6,7 @@
 // input face; nothing else until rounded points are cleaned.
 #include "core/shapes.h"
 
+#include <vcg_ext/exact/nearest_float.h>
 #include <vcg_ext/solids/manifold_copies.h>
 #include <vcg_ext/solids/merge_fragments.h>
 
@@ -109,6 +110,26 @@ TEST(OutputScalar, changesDiagonalsOnlyBeforePointsAreCleaned) {
 		}
 	}
 	EXPECT_GT(cleaned, 0u) << "no pair shows what happens before cleaning";
+}
+
+// As midpoints are made. A cast in place of the call fails here, compiled by GCC 12 at -O3.
+TEST(OutputScalar, eachCoordinateOfAPointIsRounded) {
+	std::mt19937 random(7);
+	std::uniform_real_distribution<float> unit(-1, 1);
+	for (int i = 0; i < 100; ++i) {
+		Point a{}, b{}, m{};
+		for (std::size_t k = 0; k < 3; ++k) {
+			a[k] = static_cast<double>(unit(random));
+			b[k] = static_cast<double>(unit(random));
+		}
+		for (std::size_t k = 0; k < 3; ++k) {
+			m[k] = nearestFloat(a[k] / 2 + b[k] / 2);
+		}
+		for (const double x : m) {
+			const volatile float stored = static_cast<float>(x);
+			ASSERT_EQ(static_cast<double>(stored), x);
+		}
+	}
 }
 
 TEST(OutputScalar, changesDiagonalsOnlyWhereNothingIsCleaned) {

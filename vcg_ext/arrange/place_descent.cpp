@@ -7,6 +7,7 @@
 #include "vcg_ext/arrange/places.h"
 #include "vcg_ext/base/parallel.h"
 #include "vcg_ext/base/union_find.h"
+#include "vcg_ext/exact/nearest_float.h"
 
 #include <algorithm>
 #include <cmath>
@@ -22,7 +23,7 @@ double distance(const Point& a, const Point& b) {
 }
 
 double inScalar(double x, OutputScalar scalar) {
-	return scalar == OutputScalar::Double ? x : static_cast<double>(static_cast<float>(x));
+	return scalar == OutputScalar::Double ? x : nearestFloat(x);
 }
 
 // The distance from a value to the next larger one of the scalar.

@@ -10,6 +10,7 @@
 #include "vcg_ext/base/index_table.h"
 #include "vcg_ext/base/parallel.h"
 #include "vcg_ext/exact/coordinate_hash.h"
+#include "vcg_ext/exact/nearest_float.h"
 #include "vcg_ext/mesh/face_key.h"
 
 #include <algorithm>
@@ -23,8 +24,7 @@ namespace {
 constexpr std::size_t kGrain = 1 << 14;
 
 bool isFloat(const Point& p) {
-	return std::all_of(p.begin(), p.end(),
-	                   [](double x) { return static_cast<double>(static_cast<float>(x)) == x; });
+	return std::all_of(p.begin(), p.end(), [](double x) { return nearestFloat(x) == x; });
 }
 
 class Collector {

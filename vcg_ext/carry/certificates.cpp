@@ -6,6 +6,7 @@
 
 #include "vcg_ext/arrange/wrong_pairs.h"
 #include "vcg_ext/base/parallel.h"
+#include "vcg_ext/exact/nearest_float.h"
 
 #include <algorithm>
 
@@ -14,8 +15,7 @@ namespace index_boolean {
 namespace {
 
 bool isFloat(const Point& p) {
-	return std::all_of(p.begin(), p.end(),
-	                   [](double c) { return static_cast<double>(static_cast<float>(c)) == c; });
+	return std::all_of(p.begin(), p.end(), [](double c) { return nearestFloat(c) == c; });
 }
 
 // Whether a vertex may be stored elsewhere than where it exactly is.

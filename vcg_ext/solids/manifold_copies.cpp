@@ -33,6 +33,7 @@
 #include "vcg_ext/base/parallel.h"
 #include "vcg_ext/base/union_find.h"
 #include "vcg_ext/exact/exact_sign.h"
+#include "vcg_ext/exact/nearest_float.h"
 #include "vcg_ext/exact/zero_area.h"
 
 #include <algorithm>
@@ -349,7 +350,7 @@ Point middle(const Point& a, const Point& b, OutputScalar scalar) {
 	for (std::size_t k = 0; k < 3; ++k) {
 		m[k] = a[k] / 2 + b[k] / 2;
 		if (scalar == OutputScalar::Float) {
-			m[k] = static_cast<double>(static_cast<float>(m[k]));
+			m[k] = nearestFloat(m[k]);
 		}
 	}
 	return m;
