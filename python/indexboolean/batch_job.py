@@ -24,9 +24,9 @@ from .job import Job, JobError, Refusal
 from .plugin import HostError
 
 UNFINISHED = ".unfinished"  # beside the jobs' folders: what interrupted jobs leave
-FIGURES = ("faces", "volume")  # of each block
+FIGURES = ("faces", "volume", "self_intersections")  # of each block
 _RECORD = "job.json"
-_IN_COLUMNS = re.compile(r'".*": \d+ faces|Index Boolean took')
+_IN_COLUMNS = re.compile(r'".*": \d+ faces?|Certified:|Index Boolean took')
 _FILES = {"result.json", *(f"{block}.{suffix}" for block in BLOCKS for suffix in FORMATS)}
 
 

@@ -7,8 +7,8 @@
 
 #include "vcg_ext/base/index_table.h"
 #include "vcg_ext/base/parallel.h"
-#include "vcg_ext/exact/coordinate_hash.h"
 #include "vcg_ext/exact/bounding_box.h"
+#include "vcg_ext/exact/coordinate_hash.h"
 
 #include <algorithm>
 #include <array>
