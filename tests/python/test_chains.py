@@ -36,13 +36,9 @@ EXCEPTIONS = {
 }
 # kind: how many of the seeds of the long tests are refused. To become empty, too.
 LONG_EXCEPTIONS = {
-    "carve": 10,
-    "grow": 10,
-    "turned": 10,
-    "grid_z_5": 28,
-    "grid_z_8": 72,
-    "grid_any_5": 80,
-    "grid_any_8": 99,
+    "grid_z_5": 10,
+    "grid_z_8": 40,
+    "grid_any_5": 20,
 }
 
 
