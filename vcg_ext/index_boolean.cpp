@@ -10,7 +10,6 @@
 #include "vcg_ext/arrange/loops.h"
 #include "vcg_ext/arrange/octree_pairs.h"
 #include "vcg_ext/arrange/operands.h"
-#include "vcg_ext/arrange/places.h"
 #include "vcg_ext/arrange/repair_places.h"
 #include "vcg_ext/arrange/retriangulate.h"
 #include "vcg_ext/arrange/self_intersections.h"
@@ -20,6 +19,7 @@
 #include "vcg_ext/carry/certificates.h"
 #include "vcg_ext/carry/polygons.h"
 #include "vcg_ext/mesh/clean.h"
+#include "vcg_ext/solids/block_repair.h"
 #include "vcg_ext/solids/delaunay_pieces.h"
 #include "vcg_ext/solids/labels.h"
 #include "vcg_ext/solids/manifold_copies.h"
@@ -83,12 +83,6 @@ private:
 	double done_ = 0;
 };
 
-// Whether faces may be merged, or vertices copied.
-bool anySuspect(const Block& block) {
-	return std::any_of(block.suspect.begin(), block.suspect.end(),
-	                   [](std::uint8_t mark) { return mark != 0; });
-}
-
 Status cleanBlock(const Options& options, Monitor& monitor, Block& block) {
 	// In double only pieces have rounded corners; in float every face may have.
 	const bool piecesOnly = options.outputScalar == OutputScalar::Double;
@@ -118,34 +112,6 @@ Status finishBlock(const Options& options, Monitor& monitor, Block& block) {
 	return status.ok() && !options.weldNonManifold
 	           ? copyNonManifoldAsStored(options.outputScalar, monitor, block)
 	           : status;
-}
-
-// A block as it would be with all places as rounded, before it is cleaned. Nearly always no place
-// has been moved, and nothing is measured.
-BlockMeasure measureUnrepaired(const Arrangement& arrangement, Block& block) {
-	if (arrangement.movedPlaces.empty()) {
-		return {};
-	}
-	Points points = block.points;
-	for (std::size_t v = 0; v < points.size(); ++v) {
-		const VertexId source = block.vertexSource[v];
-		if (arrangement.movedPlaces.count(source) != 0) {
-			points[v] = roundedPlace(arrangement, source);
-			++block.repair.movedVertices;
-		}
-	}
-	return measureSurface(points, block.triangles, arrangement.options.threads);
-}
-
-void compareWithUnrepaired(const Arrangement& arrangement, const BlockMeasure& before,
-                           Block& block) {
-	if (!arrangement.movedPlaces.empty()) {
-		const BlockMeasure after =
-		    measureSurface(block.points, block.triangles, arrangement.options.threads);
-		block.repair.volumeChange = after.volume - before.volume;
-		block.repair.vanishedComponents =
-		    before.components - std::min(before.components, after.components);
-	}
 }
 
 // The volume of each operation's block, NaN if it was not delivered.
@@ -234,7 +200,7 @@ Status extractBlock(const Arrangement& arrangement, Operation operation, Monitor
 		const Options& options = arrangement.options;
 		stages.run("blocks", 0.55,
 		           [&] { return collectBlock(arrangement, operation, monitor, out); });
-		const bool mayChange = options.mergeCoplanar || anySuspect(out);
+		const bool mayChange = options.mergeCoplanar || out.anySuspect();
 		stages.run("manifold_copies", 0.1, [&] {
 			return options.weldNonManifold ? Status{} : copyNonManifold(arrangement, monitor, out);
 		});

@@ -25,7 +25,8 @@ FilterOutput generateIndexBooleanCurves(const ParameterValues& values, MeshDocum
                                         HostCallback* callback) {
 	const Stopwatch total;
 	const OperandLayers operands = findOperandLayers(kFilter, values, document);
-	const Options options = readCommonOptions(kFilter, values);
+	Options options = readCommonOptions(kFilter, values);
+	options.certify = false;  // lines have no faces that could meet wrongly
 	Progress progress(progressCallback(callback));
 	AdapterSeconds seconds{};
 

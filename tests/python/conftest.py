@@ -2,13 +2,12 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What the tests of the filter share: the plugin, loaded once, and simple closed meshes."""
 
-import itertools
-
 import numpy as np
 import pymeshlab
 import pytest
 
 import indexboolean
+from plain_solids import box, halved, joined
 
 
 @pytest.fixture(scope="session", autouse=True)
@@ -33,13 +32,6 @@ def _log_of_a_living_document(bystander):
     bystander.get_geometric_measures()
 
 
-def box(low, high):
-    """A box of 12 triangles, two each side."""
-    corners = np.array(list(itertools.product(*zip(low, high))), dtype=np.float64)
-    quads = [(0, 1, 3, 2), (4, 6, 7, 5), (0, 4, 5, 1), (2, 3, 7, 6), (0, 2, 6, 4), (1, 5, 7, 3)]
-    return corners, np.array([t for a, b, c, d in quads for t in ((a, b, c), (a, c, d))])
-
-
 def sphere(centre=(0.0, 0.0, 0.0), radius=1.0, subdivisions=3):
     """A sphere of 8 * 4^subdivisions triangles, from an octahedron."""
     vertices = np.array([(1, 0, 0), (-1, 0, 0), (0, 1, 0), (0, -1, 0), (0, 0, 1), (0, 0, -1)])
@@ -47,26 +39,9 @@ def sphere(centre=(0.0, 0.0, 0.0), radius=1.0, subdivisions=3):
     faces = np.concatenate([faces, np.where(faces == 4, 5, faces)[:, ::-1]])
     vertices = vertices.astype(np.float64)
     for _ in range(subdivisions):
-        corners = np.sort(np.stack([faces, np.roll(faces, -1, axis=1)], axis=2), axis=2)
-        edges, middle = np.unique(corners.reshape(-1, 2), axis=0, return_inverse=True)
-        middle = middle.reshape(-1, 3) + len(vertices)
-        vertices = np.concatenate([vertices, vertices[edges].mean(axis=1)])
-        a, b, c = faces.T
-        ab, bc, ca = middle.T
-        faces = np.concatenate(
-            [np.stack(t, axis=1) for t in ((a, ab, ca), (ab, b, bc), (ca, bc, c), (ab, bc, ca))]
-        )
+        vertices, faces = halved(vertices, faces)
         vertices /= np.linalg.norm(vertices, axis=1)[:, None]
     return vertices * radius + np.asarray(centre), faces
-
-
-def joined(*meshes):
-    """Several meshes as one."""
-    offsets = np.cumsum([0] + [len(vertices) for vertices, _ in meshes])
-    return (
-        np.concatenate([vertices for vertices, _ in meshes]),
-        np.concatenate([faces + offset for (_, faces), offset in zip(meshes, offsets)]),
-    )
 
 
 def crossing_bars():

@@ -57,7 +57,7 @@ def icosphere(subdivisions):
     points = np.array(corners) / math.hypot(1, GOLDEN)
     faces = _nearest_triangles(points)
     for _ in range(subdivisions):
-        points, faces = _halved(points, faces)
+        points, faces = halved(points, faces)
         points = points / make_samples.length(points)[:, None]
     return points, faces
 
@@ -74,8 +74,8 @@ def _nearest_triangles(points):
     return np.array([t if out else t[::-1] for t, out in zip(triples, outwards)])
 
 
-def _halved(points, faces):
-    # Each triangle in four, at the middles of its sides.
+def halved(points, faces):
+    """Each triangle in four, at the middles of its sides."""
     ends = np.sort(np.stack([faces, np.roll(faces, -1, axis=1)], axis=2).reshape(-1, 2), axis=1)
     edges, number = np.unique(ends, axis=0, return_inverse=True)
     a, b, c = faces.T

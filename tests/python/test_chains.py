@@ -39,6 +39,7 @@ LONG_EXCEPTIONS = {
     "grid_z_5": 10,
     "grid_z_8": 40,
     "grid_any_5": 20,
+    "grid_any_8": 62,
 }
 
 

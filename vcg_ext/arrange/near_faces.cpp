@@ -5,10 +5,9 @@
 // never swap two numbers: a point that two faces have in common lies in a cell of both.
 #include "vcg_ext/arrange/near_faces.h"
 
-#include "vcg_ext/base/index_table.h"
 #include "vcg_ext/base/parallel.h"
 #include "vcg_ext/exact/bounding_box.h"
-#include "vcg_ext/exact/coordinate_hash.h"
+#include "vcg_ext/mesh/vertex_table.h"
 
 #include <algorithm>
 #include <array>
@@ -195,14 +194,10 @@ Status collectNear(const FacesView& faces, const CellGrid& grid, int threads, Mo
 
 // Corners in one place get one index, that of the first of them.
 void weld(FacesApart& faces) {
-	const Points& points = faces.points;
-	IndexTable table(points.size());
-	std::vector<std::uint32_t> keeper(points.size());
+	VertexTable table(faces.points, faces.points.size());
+	std::vector<std::uint32_t> keeper(faces.points.size());
 	for (std::uint32_t v = 0; v < keeper.size(); ++v) {
-		const auto isThere = [&](std::uint32_t w) { return points[w] == points[v]; };
-		std::uint32_t& slot = table.slotOf(coordinateHash(points[v]), isThere);
-		slot = slot == IndexTable::kNone ? v : slot;
-		keeper[v] = slot;
+		keeper[v] = table.findOrAdd(v);
 	}
 	for (IndexTriangle& t : faces.triangles) {
 		t = {keeper[t[0]], keeper[t[1]], keeper[t[2]]};

@@ -5,26 +5,14 @@
 // reason to change.
 #include "vcg_ext/arrange/piece_patches.h"
 
+#include "vcg_ext/base/sorted_list.h"
+
 #include <algorithm>
 
 namespace index_boolean {
 
-namespace {
-
-void sortUnique(std::vector<std::uint32_t>& items) {
-	std::sort(items.begin(), items.end());
-	items.erase(std::unique(items.begin(), items.end()), items.end());
-}
-
-std::uint32_t placeIn(const std::vector<std::uint32_t>& sorted, std::uint32_t item) {
-	return static_cast<std::uint32_t>(std::lower_bound(sorted.begin(), sorted.end(), item) -
-	                                  sorted.begin());
-}
-
-}  // namespace
-
 PiecePatches::PiecePatches(const Arrangement& arrangement, StoredFaults& faults, Monitor& monitor)
-    : arrangement_(arrangement), faults_(faults), monitor_(monitor), points_(arrangement) {
+    : arrangement_(arrangement), faults_(faults), monitor_(monitor), patch_(arrangement) {
 	for (const Segment& s : arrangement.curve.segments) {
 		segments_.push_back({std::min(s.begin, s.end), std::max(s.begin, s.end)});
 	}
@@ -51,7 +39,7 @@ void PiecePatches::listNeighbours(std::uint32_t piece) {
 			const IndexTriangle& u = faults_.surface().corners[other];
 			if (other != piece && isPiece(other) && regionOf(other) == regionOf(piece) &&
 			    std::find(u.begin(), u.end(), b) != u.end()) {
-				neighbours_.push_back({other, {std::min(a, b), std::max(a, b)}});
+				neighbours_.push_back(other);
 			}
 		}
 	}
@@ -60,75 +48,43 @@ void PiecePatches::listNeighbours(std::uint32_t piece) {
 // Adds whole rings.
 void PiecePatches::growPatch() {
 	constexpr std::size_t kEnough = 128;
-	std::vector<std::uint32_t> ring = patch_, next;
-	sortUnique(patch_);
-	while (!ring.empty() && patch_.size() < kEnough) {
+	std::vector<std::uint32_t> ring = pieces_, next;
+	sortUnique(pieces_);
+	while (!ring.empty() && pieces_.size() < kEnough) {
 		next.clear();
 		for (const std::uint32_t piece : ring) {
 			listNeighbours(piece);
-			for (const Neighbour& n : neighbours_) {
-				if (!std::binary_search(patch_.begin(), patch_.end(), n.piece)) {
-					next.push_back(n.piece);
+			for (const std::uint32_t other : neighbours_) {
+				if (!std::binary_search(pieces_.begin(), pieces_.end(), other)) {
+					next.push_back(other);
 				}
 			}
 		}
 		sortUnique(next);
-		patch_.insert(patch_.end(), next.begin(), next.end());
-		sortUnique(patch_);
+		pieces_.insert(pieces_.end(), next.begin(), next.end());
+		sortUnique(pieces_);
 		ring.swap(next);
 	}
 }
 
-// False if two points are in one place, which they are nowhere in a face.
-bool PiecePatches::rankPoints(int axis) {
-	const StoredSurface& surface = faults_.surface();
-	vertices_.clear();
-	names_.clear();
-	for (const std::uint32_t piece : patch_) {
-		const IndexTriangle& t = surface.corners[piece];
-		vertices_.insert(vertices_.end(), t.begin(), t.end());
-	}
-	sortUnique(vertices_);
-	for (const std::uint32_t v : vertices_) {
-		names_.push_back(surface.vertices[v]);
-	}
-	points_.take(names_);
-	return points_.rank(axis);
-}
-
 void PiecePatches::flipPatch() {
 	const StoredSurface& surface = faults_.surface();
-	int front = 0;
-	const int axis =
-	    projectionAxis(at(arrangement_.mesh.triangles, surface.inputFaces[patch_.front()]),
-	                   arrangement_.mesh.points, front);
-	if (!rankPoints(axis)) {
-		return;
-	}
-	const auto rankOf = [this](std::uint32_t v) { return points_.rankAt(placeIn(vertices_, v)); };
 	triangles_.clear();
 	edges_.clear();
-	for (std::uint32_t i = 0; i < patch_.size(); ++i) {
-		const IndexTriangle& t = surface.corners[patch_[i]];
-		triangles_.push_back({rankOf(t[0]), rankOf(t[1]), rankOf(t[2])});
-		listNeighbours(patch_[i]);
-		for (const Neighbour& n : neighbours_) {
-			if (patch_[i] < n.piece && std::binary_search(patch_.begin(), patch_.end(), n.piece)) {
-				const std::uint32_t a = rankOf(n.ends.left), b = rankOf(n.ends.right);
-				edges_.push_back({{std::min(a, b), std::max(a, b)}, {i, placeIn(patch_, n.piece)}});
+	for (std::uint32_t i = 0; i < pieces_.size(); ++i) {
+		triangles_.push_back(surface.corners[pieces_[i]]);
+		listNeighbours(pieces_[i]);
+		for (const std::uint32_t other : neighbours_) {
+			if (pieces_[i] < other && std::binary_search(pieces_.begin(), pieces_.end(), other)) {
+				edges_.push_back({i, placeIn(pieces_, other)});
 			}
 		}
 	}
-	if (edges_.empty() ||
-	    flips_.run(edges_, points_.places(), front, points_, monitor_, triangles_) == 0) {
-		return;
-	}
-	for (std::size_t i = 0; i < patch_.size(); ++i) {
-		IndexTriangle t;
-		for (std::size_t k = 0; k < 3; ++k) {
-			t[k] = vertices_[points_.indexAt(triangles_[i][k])];
+	const FaceId plane = surface.inputFaces[pieces_.front()];
+	if (patch_.flip(plane, false, surface.vertices.data(), edges_, monitor_, triangles_) > 0) {
+		for (std::size_t i = 0; i < pieces_.size(); ++i) {
+			faults_.setCorners(pieces_[i], triangles_[i]);
 		}
-		faults_.setCorners(patch_[i], t);
 	}
 }
 
@@ -145,8 +101,8 @@ void PiecePatches::flipAround(const std::vector<std::uint32_t>& vertices) {
 	for (auto first = pieces.begin(); first != pieces.end();) {
 		const auto last = std::find_if(first, pieces.end(),
 		                               [first](const auto& p) { return p.first != first->first; });
-		patch_.clear();
-		std::transform(first, last, std::back_inserter(patch_),
+		pieces_.clear();
+		std::transform(first, last, std::back_inserter(pieces_),
 		               [](const auto& p) { return p.second; });
 		growPatch();
 		flipPatch();

@@ -6,9 +6,8 @@
 // nothing leaves its region, and a segment stays an edge.
 #pragma once
 
-#include "vcg_ext/arrange/face_points.h"
+#include "vcg_ext/arrange/planar_patch.h"
 #include "vcg_ext/arrange/stored_faults.h"
-#include "vcg_ext/exact/delaunay_flips.h"
 
 #include <array>
 #include <vector>
@@ -28,11 +27,6 @@ public:
 	void flipAround(const std::vector<std::uint32_t>& vertices);
 
 private:
-	struct Neighbour {
-		std::uint32_t piece;
-		PlanarEdge ends;  // vertices of the surface
-	};
-
 	NodeId regionOf(std::uint32_t face) const {
 		return arrangement_.refinement.pieceRegion[face - faults_.surface().firstPiece];
 	}
@@ -40,21 +34,17 @@ private:
 	bool isSegment(std::uint32_t a, std::uint32_t b) const;
 	void listNeighbours(std::uint32_t piece);
 	void growPatch();
-	bool rankPoints(int axis);
 	void flipPatch();
 
 	const Arrangement& arrangement_;
 	StoredFaults& faults_;
 	Monitor& monitor_;
 	std::vector<std::array<VertexId, 2>> segments_;  // lower end, higher end; sorted
-	FacePoints points_;
-	DelaunayFlips flips_;
-	std::vector<std::uint32_t> patch_;     // pieces
-	std::vector<std::uint32_t> vertices_;  // theirs, ascending
-	std::vector<VertexId> names_;          // of each
-	std::vector<Neighbour> neighbours_;
-	RankTriangles triangles_;
-	std::vector<FreeEdge> edges_;
+	PlanarPatch patch_;
+	std::vector<std::uint32_t> pieces_;      // of the patch; ascending once it has grown
+	std::vector<std::uint32_t> neighbours_;  // pieces
+	std::vector<IndexTriangle> triangles_;
+	std::vector<PlanarPatch::FreePair> edges_;
 };
 
 }  // namespace index_boolean

@@ -7,7 +7,6 @@
 #include "vcg_ext/arrange/places.h"
 #include "vcg_ext/base/parallel.h"
 #include "vcg_ext/base/union_find.h"
-#include "vcg_ext/exact/nearest_float.h"
 
 #include <algorithm>
 #include <cmath>
@@ -20,19 +19,6 @@ namespace {
 // Along each axis.
 double distance(const Point& a, const Point& b) {
 	return std::max({std::fabs(a[0] - b[0]), std::fabs(a[1] - b[1]), std::fabs(a[2] - b[2])});
-}
-
-double inScalar(double x, OutputScalar scalar) {
-	return scalar == OutputScalar::Double ? x : nearestFloat(x);
-}
-
-// The distance from a value to the next larger one of the scalar.
-double gapAt(double x, OutputScalar scalar) {
-	if (scalar == OutputScalar::Double) {
-		return std::nextafter(std::fabs(x), HUGE_VAL) - std::fabs(x);
-	}
-	const auto value = static_cast<float>(std::fabs(x));
-	return static_cast<double>(std::nextafter(value, HUGE_VALF)) - static_cast<double>(value);
 }
 
 }  // namespace

@@ -4,6 +4,8 @@
 // A name's simplices define its point; rounded coordinates answer what they can.
 #include "vcg_ext/arrange/places.h"
 
+#include "vcg_ext/exact/nearest_float.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -15,21 +17,27 @@ namespace {
 // between two floats; then the exact point's side of it does.
 double roundedToFloat(const ExactPoint& point, std::size_t axis) {
 	const double value = point.rounded[axis];
-	const auto nearest = static_cast<float>(value);
+	const double nearest = nearestFloat(value);
 	if (point.form == ExactPoint::Form::Explicit || !std::isfinite(nearest)) {
-		return static_cast<double>(nearest);
+		return nearest;
 	}
-	const double towards = value > static_cast<double>(nearest) ? HUGE_VAL : -HUGE_VAL;
-	const double next = static_cast<double>(std::nextafter(nearest, static_cast<float>(towards)));
-	if (value - static_cast<double>(nearest) != next - value) {
-		return static_cast<double>(nearest);
+	const float towards = value > nearest ? HUGE_VALF : -HUGE_VALF;
+	const auto next = static_cast<double>(std::nextafter(static_cast<float>(nearest), towards));
+	if (value - nearest != next - value) {
+		return nearest;
 	}
 	const Point middle = point.rounded;
 	const int side =
 	    compareCoordinate(point, ExactPoint::explicitPoint(middle), static_cast<int>(axis));
-	const double low = std::min(static_cast<double>(nearest), next);
-	const double high = std::max(static_cast<double>(nearest), next);
-	return side == 0 ? static_cast<double>(nearest) : (side < 0 ? low : high);
+	return side == 0 ? nearest : (side < 0 ? std::min(nearest, next) : std::max(nearest, next));
+}
+
+template <class Scalar>
+double gapAbove(double size) {
+	const auto value = static_cast<Scalar>(size);
+	const Scalar next = std::nextafter(value, static_cast<Scalar>(HUGE_VAL));
+	return std::isfinite(next) ? static_cast<double>(next - value)
+	                           : static_cast<double>(value - std::nextafter(value, Scalar{0}));
 }
 
 }  // namespace
@@ -78,6 +86,25 @@ int comparePlaces(const Arrangement& arrangement, VertexId a, VertexId b) {
 		}
 	}
 	return 0;
+}
+
+bool isStoredExactly(const Arrangement& arrangement, VertexId vertex) {
+	if (arrangement.isCurvePoint(vertex)) {
+		return false;
+	}
+	const Point& place = at(arrangement.mesh.points, vertex);
+	const OutputScalar scalar = arrangement.options.outputScalar;
+	return std::all_of(place.begin(), place.end(),
+	                   [scalar](double x) { return inScalar(x, scalar) == x; });
+}
+
+double inScalar(double x, OutputScalar scalar) {
+	return scalar == OutputScalar::Double ? x : nearestFloat(x);
+}
+
+double gapAt(double x, OutputScalar scalar) {
+	return scalar == OutputScalar::Double ? gapAbove<double>(std::fabs(x))
+	                                      : gapAbove<float>(std::fabs(x));
 }
 
 Point roundedPlace(const Arrangement& arrangement, VertexId vertex) {

@@ -25,6 +25,15 @@ ExactPoint exactPoint(const Arrangement& arrangement, VertexId vertex);
 // Complexity: O(1); a few comparisons unless the places are nearly the same.
 int comparePlaces(const Arrangement& arrangement, VertexId a, VertexId b);
 
+// Whether the output scalar holds the exact place of a vertex for sure: that of an input vertex, if
+// its coordinates are numbers of that scalar. Complexity: O(1).
+bool isStoredExactly(const Arrangement& arrangement, VertexId vertex);
+
+// A number in a scalar, and how far the next larger one of that scalar is from its size; from the
+// largest one, the next smaller. Complexity: O(1).
+double inScalar(double x, OutputScalar scalar);
+double gapAt(double x, OutputScalar scalar);
+
 // The exact place of a vertex, rounded once to the output scalar. Complexity: O(1).
 Point roundedPlace(const Arrangement& arrangement, VertexId vertex);
 

@@ -7,6 +7,7 @@
 
 #include "vcg_ext/arrange/box_frame.h"
 #include "vcg_ext/arrange/place_descent.h"
+#include "vcg_ext/arrange/places.h"
 #include "vcg_ext/base/union_find.h"
 
 #include <algorithm>
@@ -15,14 +16,6 @@
 namespace index_boolean {
 
 namespace {
-
-template <class Scalar>
-double gapAbove(double x) {
-	const auto value = static_cast<Scalar>(x);
-	const Scalar next = std::nextafter(value, static_cast<Scalar>(HUGE_VAL));
-	return std::isfinite(next) ? static_cast<double>(next - value)
-	                           : static_cast<double>(value - std::nextafter(value, Scalar{0}));
-}
 
 // The distance of the output scalar's values at the largest coordinate.
 Status findUnit(const Arrangement& arrangement, Monitor& monitor, double& unit) {
@@ -35,8 +28,7 @@ Status findUnit(const Arrangement& arrangement, Monitor& monitor, double& unit) 
 	for (std::size_t axis = 0; axis < 3; ++axis) {
 		largest = std::max({largest, std::fabs(box.lo[axis]), std::fabs(box.hi[axis])});
 	}
-	unit = arrangement.options.outputScalar == OutputScalar::Double ? gapAbove<double>(largest)
-	                                                                : gapAbove<float>(largest);
+	unit = gapAt(largest, arrangement.options.outputScalar);
 	return status;
 }
 
@@ -111,16 +103,6 @@ Status look(const Arrangement& arrangement, Monitor& monitor, WrongPairs& wrong,
 	return findFaults(surface, faces, arrangement.options.threads, monitor, wrong);
 }
 
-std::size_t countFaces(const WrongPairs& wrong) {
-	std::vector<std::uint32_t> faces = wrong.zeroAreaFaces;
-	for (const FacePair& pair : wrong.pairs) {
-		faces.push_back(pair.a.value);
-		faces.push_back(pair.b.value);
-	}
-	std::sort(faces.begin(), faces.end());
-	return static_cast<std::size_t>(std::unique(faces.begin(), faces.end()) - faces.begin());
-}
-
 }  // namespace
 
 Status repairPlaces(Arrangement& arrangement, Monitor& monitor) {
@@ -136,7 +118,7 @@ Status repairPlaces(Arrangement& arrangement, Monitor& monitor) {
 		report.areFacesFine = status.ok() && areAllDistinct;
 		return status;
 	}
-	report.concernedBefore = report.concernedAfter = countFaces(wrong);
+	report.concernedBefore = report.concernedAfter = facesConcerned(wrong).size();
 	report.faultsBefore = report.faultsAfter = wrong.pairs.size() + wrong.zeroAreaFaces.size();
 	if (report.concernedBefore > kMostFaces) {
 		report.isGivenUp = true;

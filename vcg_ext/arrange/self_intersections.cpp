@@ -97,6 +97,7 @@ Status searchOperand(const Arrangement& arrangement, OperandId operand, Monitor&
 	const std::uint32_t first = mesh.faceOffsets.begin(operand);
 	ConcernedFaces concerned(mesh.faceOffsets.size(operand));
 	std::vector<std::uint32_t> zeroAreaFaces;  // of which a prepared operand has none
+	// Known by the operand's check, and so as surely as the run knows it (boundary_checksum.h).
 	const WrongPairOptions options{arrangement.options.threads, arrangement.closed[operand]};
 	const Status status =
 	    visitWrongPairs(facesOf(mesh, operand), options, monitor, concerned, zeroAreaFaces);

@@ -7,11 +7,9 @@
 
 #include "vcg_ext/arrange/near_faces.h"
 #include "vcg_ext/arrange/places.h"
-#include "vcg_ext/base/index_table.h"
 #include "vcg_ext/base/parallel.h"
-#include "vcg_ext/exact/coordinate_hash.h"
-#include "vcg_ext/exact/nearest_float.h"
 #include "vcg_ext/mesh/face_key.h"
+#include "vcg_ext/mesh/vertex_table.h"
 
 #include <algorithm>
 #include <atomic>
@@ -23,10 +21,6 @@ namespace {
 
 constexpr std::size_t kGrain = 1 << 14;
 
-bool isFloat(const Point& p) {
-	return std::all_of(p.begin(), p.end(), [](double x) { return nearestFloat(x) == x; });
-}
-
 class Collector {
 public:
 	Collector(const Arrangement& arrangement, double reach, Monitor& monitor, StoredSurface& out)
@@ -36,8 +30,7 @@ public:
 
 private:
 	bool isExact(VertexId v) const {
-		return !arrangement_.isCurvePoint(v) &&
-		       (!areInputsRounded_ || isFloat(at(arrangement_.mesh.points, v)));
+		return areInputsRounded_ ? isStoredExactly(arrangement_, v) : !arrangement_.isCurvePoint(v);
 	}
 	bool isSuspect(const Triangle& t) const {
 		return !std::all_of(t.begin(), t.end(), [this](VertexId v) { return isExact(v); });
@@ -78,7 +71,7 @@ Status Collector::lookAtInputs() {
 	                                  monitor_, [&](std::size_t begin, std::size_t end) {
 		                                  for (std::size_t f = begin; f < end && !found; ++f) {
 			                                  for (const VertexId v : triangles[f]) {
-				                                  if (!isFloat(at(arrangement_.mesh.points, v))) {
+				                                  if (!isStoredExactly(arrangement_, v)) {
 					                                  found = true;
 				                                  }
 			                                  }
@@ -187,19 +180,16 @@ Status Collector::findPlaces() {
 }
 
 void Collector::weld() {
-	IndexTable table(places_.size());
+	VertexTable table(places_, places_.size());
 	out_.placeOf.resize(places_.size());
 	out_.places.reserve(places_.size());
-	for (std::size_t v = 0; v < places_.size(); ++v) {
-		const Point& place = places_[v];
-		std::uint32_t& slot = table.slotOf(coordinateHash(place), [&](std::uint32_t other) {
-			return out_.places[other] == place;
-		});
-		if (slot == IndexTable::kNone) {
-			slot = static_cast<std::uint32_t>(out_.places.size());
-			out_.places.push_back(place);
+	for (std::uint32_t v = 0; v < places_.size(); ++v) {
+		const std::uint32_t first = table.findOrAdd(v);
+		const auto next = static_cast<std::uint32_t>(out_.places.size());
+		out_.placeOf[v] = first == v ? next : out_.placeOf[first];
+		if (first == v) {
+			out_.places.push_back(places_[v]);
 		}
-		out_.placeOf[v] = slot;
 	}
 	out_.stored.reserve(out_.corners.size());
 	for (const IndexTriangle& t : out_.corners) {

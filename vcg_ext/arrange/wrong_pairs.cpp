@@ -10,6 +10,7 @@
 #include "vcg_ext/arrange/pyramid_descent.h"
 #include "vcg_ext/arrange/unbalanced_vertices.h"
 #include "vcg_ext/base/parallel.h"
+#include "vcg_ext/base/sorted_list.h"
 
 #include <algorithm>
 #include <mutex>
@@ -118,6 +119,16 @@ Status guarded(Step&& step) {
 }
 
 }  // namespace
+
+std::vector<std::uint32_t> facesConcerned(const WrongPairs& found) {
+	std::vector<std::uint32_t> faces = found.zeroAreaFaces;
+	for (const FacePair& pair : found.pairs) {
+		faces.push_back(pair.a.value);
+		faces.push_back(pair.b.value);
+	}
+	sortUnique(faces);
+	return faces;
+}
 
 Status findWrongPairs(const FacesView& faces, const WrongPairOptions& options, Monitor& monitor,
                       WrongPairs& out) {

@@ -31,6 +31,9 @@ struct WrongPairs {
 	std::vector<std::uint32_t> zeroAreaFaces;  // ascending
 };
 
+// The faces that are in a pair or have no area, ascending. Throws std::bad_alloc. O(k log k).
+std::vector<std::uint32_t> facesConcerned(const WrongPairs& found);
+
 // Finds all pairs of faces that meet wrongly, and all zero-area faces.
 // \param faces borrowed; finite, and welded: vertices in one place have one index. (Two that have
 // not are two vertices, and faces that meet there do so wrongly.)

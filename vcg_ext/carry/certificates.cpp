@@ -4,9 +4,9 @@
 // Only a face with a rounded corner can have come to meet another one wrongly.
 #include "vcg_ext/carry/certificates.h"
 
+#include "vcg_ext/arrange/places.h"
 #include "vcg_ext/arrange/wrong_pairs.h"
 #include "vcg_ext/base/parallel.h"
-#include "vcg_ext/exact/nearest_float.h"
 
 #include <algorithm>
 
@@ -14,15 +14,9 @@ namespace index_boolean {
 
 namespace {
 
-bool isFloat(const Point& p) {
-	return std::all_of(p.begin(), p.end(), [](double c) { return nearestFloat(c) == c; });
-}
-
 // Whether a vertex may be stored elsewhere than where it exactly is.
 bool isRounded(const Arrangement& arrangement, VertexId source) {
-	return source == VertexId::none() || arrangement.isCurvePoint(source) ||
-	       (arrangement.options.outputScalar == OutputScalar::Float &&
-	        !isFloat(at(arrangement.mesh.points, source)));
+	return source == VertexId::none() || !isStoredExactly(arrangement, source);
 }
 
 // Per face: it has a rounded corner.
@@ -53,17 +47,6 @@ void leaveWithinParts(const std::vector<std::uint32_t>& part, std::vector<FacePa
 	pairs.erase(std::remove_if(pairs.begin(), pairs.end(), isAcross), pairs.end());
 }
 
-std::vector<std::uint32_t> facesOf(const WrongPairs& found) {
-	std::vector<std::uint32_t> faces = found.zeroAreaFaces;
-	for (const FacePair& pair : found.pairs) {
-		faces.push_back(pair.a.value);
-		faces.push_back(pair.b.value);
-	}
-	std::sort(faces.begin(), faces.end());
-	faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
-	return faces;
-}
-
 }  // namespace
 
 Status certify(const Arrangement& arrangement, const SourcedMesh& mesh,
@@ -86,7 +69,7 @@ Status certify(const Arrangement& arrangement, const SourcedMesh& mesh,
 		leaveWithinParts(part, found.pairs);
 	}
 	out.isKnown = status.ok();
-	out.faces = facesOf(found);
+	out.faces = facesConcerned(found);
 	return status;
 }
 

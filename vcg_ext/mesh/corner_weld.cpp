@@ -6,9 +6,8 @@
 #include "vcg_ext/mesh/corner_weld.h"
 
 #include "vcg_ext/base/huge_vector.h"
-#include "vcg_ext/base/index_table.h"
 #include "vcg_ext/base/parallel.h"
-#include "vcg_ext/exact/coordinate_hash.h"
+#include "vcg_ext/mesh/vertex_table.h"
 
 #include <algorithm>
 #include <atomic>
@@ -96,33 +95,6 @@ private:
 
 	unsigned shift_ = 4;
 	std::vector<Cell> cells_;
-};
-
-// Vertices by their coordinates.
-class VertexTable {
-	auto isAt(const Point& p) const {
-		return [this, &p](std::uint32_t vertex) { return points_[vertex] == p; };
-	}
-
-public:
-	VertexTable(const Points& points, std::size_t most) : points_(points), table_(most) {}
-
-	// The vertex at this one's place; if there is none yet, this one, which is put there.
-	std::uint32_t findOrAdd(std::uint32_t vertex) {
-		const Point& p = points_[vertex];
-		std::uint32_t& slot = table_.slotOf(coordinateHash(p), isAt(p));
-		if (slot == IndexTable::kNone) {
-			slot = vertex;
-		}
-		return slot;
-	}
-
-	// The vertex at a place, or IndexTable::kNone.
-	std::uint32_t vertexAt(const Point& p) const { return table_.find(coordinateHash(p), isAt(p)); }
-
-private:
-	const Points& points_;
-	IndexTable table_;
 };
 
 // Calls body(operand, begin, end) for chunks of both operands' vertices.

@@ -11,6 +11,8 @@
 #include "vcg_ext/base/status.h"
 #include "vcg_ext/mesh/sourced_mesh.h"
 
+#include <algorithm>
+
 namespace index_boolean {
 
 enum class Operation : std::uint8_t {
@@ -47,6 +49,11 @@ struct Block : SourcedMesh {
 	bool isApart = false;               // the block has been pulled apart at all suspect vertices
 	std::vector<std::uint8_t> suspect;  // per point: the block may meet itself there, or a cut that
 	                                    // parts nothing may end there
+
+	// Whether there is one. O(n).
+	bool anySuspect() const {
+		return std::find(suspect.begin(), suspect.end(), 1) != suspect.end();
+	}
 };
 
 // Collects the faces and vertices of one block, before cleaning.

@@ -5,10 +5,10 @@
 // has nothing but regions of one face, each triangulated as a whole already.
 #include "vcg_ext/solids/delaunay_pieces.h"
 
-#include "vcg_ext/arrange/face_points.h"
+#include "vcg_ext/arrange/planar_patch.h"
 #include "vcg_ext/base/edge_table.h"
 #include "vcg_ext/base/parallel.h"
-#include "vcg_ext/exact/delaunay_flips.h"
+#include "vcg_ext/base/sorted_list.h"
 #include "vcg_ext/solids/face_groups.h"
 
 #include <algorithm>
@@ -28,96 +28,39 @@ struct GroupEdge {
 class GroupFlipper {
 public:
 	GroupFlipper(const Arrangement& arrangement, Monitor& monitor, Block& block)
-	    : arrangement_(arrangement), monitor_(monitor), block_(block), points_(arrangement) {}
+	    : monitor_(monitor), block_(block), patch_(arrangement) {}
 
-	// \param first, last the free edges of the group
+	// \param first, last the free edges of the group. Its faces without one are left out
 	void run(const GroupEdge* first, const GroupEdge* last);
 
 private:
-	void collect(const GroupEdge* first, const GroupEdge* last);
-	PlanarEdge commonEdge(std::uint32_t s, std::uint32_t t) const;
-
-	const Arrangement& arrangement_;
 	Monitor& monitor_;
 	Block& block_;
-	FacePoints points_;
-	DelaunayFlips flips_;
-	std::vector<std::uint32_t> faces_;     // of the block, ascending
-	std::vector<std::uint32_t> vertices_;  // of the block, ascending
-	std::vector<VertexId> names_;          // of each
-	RankTriangles triangles_;
-	std::vector<FreeEdge> edges_;
+	PlanarPatch patch_;
+	std::vector<std::uint32_t> faces_;  // of the block, ascending
+	std::vector<IndexTriangle> triangles_;
+	std::vector<PlanarPatch::FreePair> edges_;
 };
 
-template <class T>
-std::uint32_t placeOf(const std::vector<T>& sorted, const T& item) {
-	return static_cast<std::uint32_t>(std::lower_bound(sorted.begin(), sorted.end(), item) -
-	                                  sorted.begin());
-}
-
-void sortUnique(std::vector<std::uint32_t>& items) {
-	std::sort(items.begin(), items.end());
-	items.erase(std::unique(items.begin(), items.end()), items.end());
-}
-
-// The ranks of the two corners that two triangles have in common.
-PlanarEdge GroupFlipper::commonEdge(std::uint32_t s, std::uint32_t t) const {
-	const auto& other = triangles_[t];
-	std::array<std::uint32_t, 2> ends{};
-	std::size_t count = 0;
-	for (const std::uint32_t v : triangles_[s]) {
-		if (count < 2 && std::find(other.begin(), other.end(), v) != other.end()) {
-			ends[count++] = v;
-		}
-	}
-	return {std::min(ends[0], ends[1]), std::max(ends[0], ends[1])};
-}
-
-// The group as a planar problem. The faces of a group without a free edge are left out.
-void GroupFlipper::collect(const GroupEdge* first, const GroupEdge* last) {
+void GroupFlipper::run(const GroupEdge* first, const GroupEdge* last) {
 	faces_.clear();
-	vertices_.clear();
-	names_.clear();
+	triangles_.clear();
+	edges_.clear();
 	for (const GroupEdge* e = first; e != last; ++e) {
 		faces_.insert(faces_.end(), e->faces.begin(), e->faces.end());
 	}
 	sortUnique(faces_);
 	for (const std::uint32_t f : faces_) {
-		vertices_.insert(vertices_.end(), block_.triangles[f].begin(), block_.triangles[f].end());
+		triangles_.push_back(block_.triangles[f]);
 	}
-	sortUnique(vertices_);
-	for (const std::uint32_t v : vertices_) {
-		names_.push_back(block_.vertexSource[v]);
-	}
-}
-
-void GroupFlipper::run(const GroupEdge* first, const GroupEdge* last) {
-	collect(first, last);
-	const FaceSource& source = block_.faceSource[faces_.front()];
-	int front = 0;
-	const int axis = projectionAxis(at(arrangement_.mesh.triangles, source.face),
-	                                arrangement_.mesh.points, front);
-	points_.take(names_);
-	points_.rank(axis);  // copies are in one place
-	triangles_.clear();
-	for (const std::uint32_t f : faces_) {
-		triangles_.emplace_back();
-		for (std::size_t i = 0; i < 3; ++i) {
-			triangles_.back()[i] = points_.rankAt(placeOf(vertices_, block_.triangles[f][i]));
-		}
-	}
-	edges_.clear();
 	for (const GroupEdge* e = first; e != last; ++e) {
-		const std::array<std::uint32_t, 2> beside{placeOf(faces_, e->faces[0]),
-		                                          placeOf(faces_, e->faces[1])};
-		edges_.push_back({commonEdge(beside[0], beside[1]), beside});
+		edges_.push_back({placeIn(faces_, e->faces[0]), placeIn(faces_, e->faces[1])});
 	}
-	flips_.run(edges_, points_.places(), source.turned ? -front : front, points_, monitor_,
-	           triangles_);
-	for (std::size_t f = 0; f < faces_.size(); ++f) {
-		for (std::size_t i = 0; i < 3; ++i) {
-			block_.triangles[faces_[f]][i] = vertices_[points_.indexAt(triangles_[f][i])];
-		}
+	const FaceSource& source = block_.faceSource[faces_.front()];
+	patch_.flip(source.face, source.turned, block_.vertexSource.data(), edges_, monitor_,
+	            triangles_);
+	for (std::size_t i = 0; i < faces_.size(); ++i) {
+		block_.triangles[faces_[i]] = triangles_[i];
 	}
 }
 
@@ -214,9 +157,7 @@ Status flipGroups(const Arrangement& arrangement, const std::vector<GroupEdge>& 
 
 Status makePiecesDelaunay(const Arrangement& arrangement, Monitor& monitor, Block& block) {
 	const Options& options = arrangement.options;
-	const bool anySuspect = std::any_of(block.suspect.begin(), block.suspect.end(),
-	                                    [](std::uint8_t mark) { return mark != 0; });
-	if (!options.mergeCoplanar && (!options.mergeFragments || !anySuspect)) {
+	if (!options.mergeCoplanar && (!options.mergeFragments || !block.anySuspect())) {
 		return {};
 	}
 	const std::vector<std::uint32_t> faces = facesOfSuspectGroups(arrangement, block);

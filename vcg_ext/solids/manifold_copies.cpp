@@ -474,10 +474,6 @@ void Separator::insertMidpoints(OutputScalar scalar) {
 	block_.suspect.resize(pointCount);
 }
 
-bool anySuspect(const Block& block) {
-	return std::find(block.suspect.begin(), block.suspect.end(), 1) != block.suspect.end();
-}
-
 // One round separates the sheets at an edge into two groups at least, unless the order of faces
 // around edges contradicts itself: rounds are repeated while they help.
 template <class Finish>
@@ -500,7 +496,7 @@ Status separate(Block& block, std::size_t firstFace, const SortFan& sortFan, Mon
 }  // namespace
 
 Status copyNonManifold(const Arrangement& arrangement, Monitor& monitor, Block& block) {
-	if (!anySuspect(block)) {
+	if (!block.anySuspect()) {
 		return {};
 	}
 	const auto sortFan = [&](std::uint32_t low, std::uint32_t high,
@@ -521,7 +517,7 @@ Status copyNonManifold(const Arrangement& arrangement, Monitor& monitor, Block& 
 }
 
 Status copyNonManifoldAsStored(OutputScalar scalar, Monitor& monitor, Block& block) {
-	if (!anySuspect(block)) {
+	if (!block.anySuspect()) {
 		return {};
 	}
 	const auto sortFan = [&](std::uint32_t low, std::uint32_t high,

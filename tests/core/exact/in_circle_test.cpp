@@ -89,17 +89,24 @@ private:
 	std::uint32_t kind_;
 };
 
-}  // namespace
-
-TEST(InCircle, isTheSignOfTheRationalDeterminant) {
+// Calls visit(four places, seed) for so many of each seed.
+template <class Visit>
+void forEachFour(int count, Visit&& visit) {
 	for (std::uint32_t seed = 0; seed < 70; ++seed) {
 		SCOPED_TRACE(seed);
 		PlaceSource source(seed);
-		for (int i = 0; i < 100; ++i) {
-			const Four p = source.four();
-			ASSERT_EQ(inCircle(p[0], p[1], p[2], p[3]), expectedSign(p));
+		for (int i = 0; i < count && !testing::Test::HasFatalFailure(); ++i) {
+			visit(source.four(), seed);
 		}
 	}
+}
+
+}  // namespace
+
+TEST(InCircle, isTheSignOfTheRationalDeterminant) {
+	forEachFour(100, [](const Four& p, std::uint32_t) {
+		ASSERT_EQ(inCircle(p[0], p[1], p[2], p[3]), expectedSign(p));
+	});
 }
 
 TEST(InCircle, overflowIsNoObstacle) {
@@ -109,39 +116,29 @@ TEST(InCircle, overflowIsNoObstacle) {
 }
 
 TEST(InCircle, perturbedIsZeroOnALineOnly) {
-	for (std::uint32_t seed = 0; seed < 70; ++seed) {
-		SCOPED_TRACE(seed);
-		PlaceSource source(seed);
-		for (int i = 0; i < 100; ++i) {
-			const Four p = source.four();
-			const int sign = inCirclePerturbed(p, {3, 1, 2, 0});
-			ASSERT_EQ(sign == 0, areCollinear(p));
-			if (expectedSign(p) != 0) {
-				ASSERT_EQ(sign, expectedSign(p));
-			}
+	forEachFour(100, [](const Four& p, std::uint32_t) {
+		const int sign = inCirclePerturbed(p, {3, 1, 2, 0});
+		ASSERT_EQ(sign == 0, areCollinear(p));
+		if (expectedSign(p) != 0) {
+			ASSERT_EQ(sign, expectedSign(p));
 		}
-	}
+	});
 }
 
 // As a determinant, it changes its sign when two rows are exchanged, each with its rank.
 TEST(InCircle, perturbedIsADeterminant) {
-	for (std::uint32_t seed = 0; seed < 70; ++seed) {
-		SCOPED_TRACE(seed);
-		PlaceSource source(seed);
-		for (int i = 0; i < 50; ++i) {
-			Four p = source.four();
-			std::array<std::uint32_t, 4> ranks{0, 1, 2, 3};
-			std::shuffle(ranks.begin(), ranks.end(), std::mt19937(seed));
-			const int sign = inCirclePerturbed(p, ranks);
-			for (std::size_t k = 0; k < 3; ++k) {
-				Four q = p;
-				std::array<std::uint32_t, 4> others = ranks;
-				std::swap(q[k], q[k + 1]);
-				std::swap(others[k], others[k + 1]);
-				ASSERT_EQ(inCirclePerturbed(q, others), -sign);
-			}
+	forEachFour(50, [](const Four& p, std::uint32_t seed) {
+		std::array<std::uint32_t, 4> ranks{0, 1, 2, 3};
+		std::shuffle(ranks.begin(), ranks.end(), std::mt19937(seed));
+		const int sign = inCirclePerturbed(p, ranks);
+		for (std::size_t k = 0; k < 3; ++k) {
+			Four q = p;
+			std::array<std::uint32_t, 4> others = ranks;
+			std::swap(q[k], q[k + 1]);
+			std::swap(others[k], others[k + 1]);
+			ASSERT_EQ(inCirclePerturbed(q, others), -sign);
 		}
-	}
+	});
 }
 
 // Heights that are really raised, the lowest rank's by far the most, give the same sign.

@@ -1,0 +1,23 @@
+// SPDX-FileCopyrightText: 2026 The Index Boolean authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// in: a block before and after it is cleaned; out: what the repair of places (repair_places.h) has
+// done to it. Nearly always no place has been moved, and nothing is measured.
+#pragma once
+
+#include "vcg_ext/mesh/measure.h"
+#include "vcg_ext/solids/blocks.h"
+
+namespace index_boolean {
+
+// Counts the block's moved vertices, and measures it as it would be with all places as rounded.
+// \param block before it is cleaned; gets repair.movedVertices
+// Throws std::bad_alloc. Complexity: O(1) if no place has been moved, else O(n log m).
+BlockMeasure measureUnrepaired(const Arrangement& arrangement, Block& block);
+
+// Fills the rest of block.repair. \param before as measured \param block after it is cleaned
+// Throws std::bad_alloc. Complexity: O(1) if no place has been moved, else O(n).
+void compareWithUnrepaired(const Arrangement& arrangement, const BlockMeasure& before,
+                           Block& block);
+
+}  // namespace index_boolean
