@@ -31,7 +31,8 @@ struct WrongPairs {
 	std::vector<std::uint32_t> zeroAreaFaces;  // ascending
 };
 
-// The faces that are in a pair or have no area, ascending. Throws std::bad_alloc. O(k log k).
+// The faces that are in a pair or have no area, ascending. Throws std::bad_alloc.
+// Complexity: O(k log k) for k of them.
 std::vector<std::uint32_t> facesConcerned(const WrongPairs& found);
 
 // Finds all pairs of faces that meet wrongly, and all zero-area faces.
