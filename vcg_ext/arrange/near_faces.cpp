@@ -31,6 +31,14 @@ BoundingBox boxOf(const FacesView& faces, std::size_t face) {
 // that it lies beyond: two cells beyond one side have a bit in common.
 using Cell = std::uint32_t;
 constexpr Cell kBeyond = 0x3f000000;
+constexpr Cell kNearSet = 0x40000000;  // a cell of the set is this one or beside it
+
+// Whether two cells are one or beside each other. \pre numbers along axes below 128
+bool areBeside(Cell a, Cell b) {
+	constexpr Cell kAxes = 0xffffff, kOne = 0x010101, kMoreThanThree = 0xfcfcfc;
+	const Cell difference = (a & kAxes) + kOne - (b & kAxes);  // plus one, along each axis
+	return (difference & kMoreThanThree) == 0 && ((difference + kOne) & kMoreThanThree) == 0;
+}
 
 // Cells by their number along each axis, from `first` to `last`, both included.
 struct CellRange {
@@ -51,7 +59,7 @@ struct CellRange {
 // A set of cells, a bit each: those along x are one row of two words.
 class CellGrid {
 public:
-	explicit CellGrid(const BoundingBox& box) : rows_(kCells * kCells) {
+	explicit CellGrid(const BoundingBox& box) : rows_(kCells * kCells), spread_(rows_) {
 		constexpr double kInside = kCells - 2 - 0x1p-20;  // the upper end is inside, too
 		constexpr double kMost = 0x1p1000;                // and no infinity times zero
 		for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -71,12 +79,17 @@ public:
 			cell |= (along == 0 ? 1U : 0U) << (24 + axis);
 			cell |= (along == kCells - 1 ? 1U : 0U) << (27 + axis);
 		}
-		return cell;
+		const Row& row = spread_[rowOf(cell)];
+		const std::uint32_t x = cell & 0xff;
+		return cell | ((row[x / 64] >> x % 64 & 1) != 0 ? kNearSet : 0);
 	}
 
-	// Whether the box around three points in these cells reaches a cell of the set.
+	// Whether the box around three points in these cells reaches a cell of the set. Most faces are
+	// small: all cells of their boxes are beside that of a corner.
 	bool isNear(const std::array<Cell, 3>& corners) const {
-		return (corners[0] & corners[1] & corners[2] & kBeyond) == 0 &&
+		const auto [a, b, c] = corners;
+		return (a & b & c & kBeyond) == 0 &&
+		       ((a & kNearSet) != 0 || !areBeside(a, b) || !areBeside(a, c)) &&
 		       anyRow(CellRange(corners), [this](std::size_t row, const Row& cells) {
 			       return ((rows_[row][0] & cells[0]) | (rows_[row][1] & cells[1])) != 0;
 		       });
@@ -91,8 +104,38 @@ public:
 		       });
 	}
 
+	// To be called when all are added, before cells are marked as near the set.
+	void spread() {
+		spread_ = rows_;
+		for (Row& row : spread_) {
+			const Row before = row;
+			row[0] |= before[0] << 1 | before[0] >> 1 | before[1] << 63;
+			row[1] |= before[1] << 1 | before[1] >> 1 | before[0] >> 63;
+		}
+		spreadAlong(1);
+		spreadAlong(kCells);
+	}
+
 private:
 	using Row = std::array<std::uint64_t, 2>;
+
+	static std::size_t rowOf(Cell cell) {
+		return kCells * (cell >> 16 & 0xff) + (cell >> 8 & 0xff);
+	}
+
+	// To the rows that are `step` before and behind. (From the end of a slice to the begin of the
+	// next one, too: more cells than need be are near.)
+	void spreadAlong(std::size_t step) {
+		for (std::size_t first = 0; first < step; ++first) {
+			Row carried{};
+			for (std::size_t i = first; i < spread_.size(); i += step) {
+				const Row own = spread_[i];
+				const Row next = i + step < spread_.size() ? spread_[i + step] : Row{};
+				spread_[i] = {carried[0] | own[0] | next[0], carried[1] | own[1] | next[1]};
+				carried = own;
+			}
+		}
+	}
 
 	// Never swaps two numbers, and no difference overflows. A vertex that no face has may be no
 	// number: any cell will do.
@@ -123,7 +166,7 @@ private:
 	}
 
 	std::array<double, 3> halfLow_{}, perHalfUnit_{};
-	std::vector<Row> rows_;
+	std::vector<Row> rows_, spread_;  // the set; all cells that are in it or beside it
 };
 
 // A set of vertices that knows how many smaller ones there are of each: their new indices.
@@ -230,6 +273,7 @@ Status findFacesNear(const FacesView& faces, const std::vector<BoundingBox>& box
 	if (!status.ok() || boxes.empty()) {
 		return status;
 	}
+	grid.spread();
 	return collectNear(faces, grid, threads, monitor, out);
 }
 

@@ -6,6 +6,8 @@
 // constant along d.
 #include "vcg_ext/arrange/open_stars.h"
 
+#include "vcg_ext/arrange/star_planes.h"
+#include "vcg_ext/base/bucket_sort.h"
 #include "vcg_ext/base/groups.h"
 #include "vcg_ext/base/parallel.h"
 #include "vcg_ext/exact/exact_sign.h"
@@ -18,7 +20,6 @@ namespace index_boolean {
 namespace {
 
 constexpr std::size_t kGrain = 1 << 15;
-constexpr std::size_t kMostFaces = 64;  // of a star whose pairs are all judged
 constexpr std::size_t kStarsAtATime = 16;
 
 struct StarFace {
@@ -48,8 +49,12 @@ Status collectStars(const SearchedSurface& surface, Monitor& monitor, StarFaces&
 	for (const StarFaces& part : parts) {
 		out.insert(out.end(), part.begin(), part.end());
 	}
-	std::sort(out.begin(), out.end());
-	return status;
+	return status.ok() ? bucketSort(
+	                         out, surface.points.first + surface.points.points.size(),
+	                         [](const StarFace& item) { return item.vertex; },
+	                         [](const StarFace& a, const StarFace& b) { return a < b; },
+	                         surface.threads, monitor)
+	                   : status;
 }
 
 // A face at a vertex: its other corners, in order, and its normal.
@@ -186,20 +191,27 @@ bool Star::windsOnce(const Point& d, std::size_t p, std::size_t q) const {
 	return comeUp == 1;
 }
 
-// Judges all pairs of a star that are of interest, but for those that a star certified before tells
-// of.
-void judgePairs(const SearchedSurface& surface, const StarFace* first, const StarFace* last,
-                PairJudge& judge) {
+// What one thread needs to close stars.
+struct Closer {
+	Star star;
+	StarPlanes planes;
+	std::vector<std::uint32_t> faces;
+};
+
+// Judges all pairs of a star that are of interest, but for those that are parted, or that a star
+// certified before tells of.
+void judgePairs(const SearchedSurface& surface, Closer& closer, bool havePlanes, PairJudge& judge) {
 	const auto haveCertifiedCorner = [&](const IndexTriangle& s, const IndexTriangle& t) {
 		return std::any_of(s.begin(), s.end(), [&](std::uint32_t v) {
 			return surface.points[v].star != kNone && std::find(t.begin(), t.end(), v) != t.end();
 		});
 	};
-	for (const StarFace* i = first; i != last; ++i) {
-		for (const StarFace* j = i + 1; j != last; ++j) {
-			const std::uint32_t f = i->face, g = j->face;
-			if ((surface.suspects(f) || surface.suspects(g)) && !surface.hasNoArea(f) &&
-			    !surface.hasNoArea(g) && !haveCertifiedCorner(surface.faces[f], surface.faces[g])) {
+	for (std::size_t i = 0; i < closer.faces.size(); ++i) {
+		for (std::size_t j = i + 1; j < closer.faces.size(); ++j) {
+			const std::uint32_t f = closer.faces[i], g = closer.faces[j];
+			if ((surface.suspects(f) || surface.suspects(g)) &&
+			    !(havePlanes && closer.planes.areParted(i, j)) &&
+			    !haveCertifiedCorner(surface.faces[f], surface.faces[g])) {
 				judge.judge(f, g);
 			}
 		}
@@ -208,19 +220,21 @@ void judgePairs(const SearchedSurface& surface, const StarFace* first, const Sta
 
 // Closes the star with the faces [first, last). \return false if it stays open
 bool closeStar(const SearchedSurface& surface, const StarFace* first, const StarFace* last,
-               Star& star, PairJudge& judge) {
-	const bool isBalanced = surface.isUnbalanced.empty() ||
-	                        surface.isUnbalanced[first->vertex - surface.points.first] == 0;
-	if (isBalanced) {
-		star.take(surface.faces, first, last);
-		if (star.isCertified()) {
-			return true;
+               Closer& closer, PairJudge& judge) {
+	if (static_cast<std::size_t>(last - first) > StarPlanes::kMostFaces) {
+		const bool isBalanced = surface.isUnbalanced.empty() ||
+		                        surface.isUnbalanced[first->vertex - surface.points.first] == 0;
+		closer.star.take(surface.faces, first, last);
+		return isBalanced && closer.star.isCertified();
+	}
+	closer.faces.clear();
+	for (const StarFace* item = first; item != last; ++item) {
+		if (!surface.hasNoArea(item->face)) {
+			closer.faces.push_back(item->face);
 		}
 	}
-	if (static_cast<std::size_t>(last - first) > kMostFaces) {
-		return false;
-	}
-	judgePairs(surface, first, last, judge);
+	const bool havePlanes = closer.planes.take(surface.faces, first->vertex, closer.faces);
+	judgePairs(surface, closer, havePlanes, judge);
 	return true;
 }
 
@@ -246,10 +260,10 @@ Status closeStars(const std::vector<std::uint32_t>& openStars, Monitor& monitor,
 	std::vector<std::uint8_t> isClosed(openStars.size());
 	status = parallelFor(openStars.size(), kStarsAtATime, surface.threads, monitor,
 	                     [&](std::size_t begin, std::size_t end) {
-		                     Star star;
+		                     Closer closer;
 		                     for (std::size_t i = begin; i < end && !pollCancelled(monitor); ++i) {
 			                     isClosed[i] =
-			                         closeStar(surface, begins[i], begins[i + 1], star, judge);
+			                         closeStar(surface, begins[i], begins[i + 1], closer, judge);
 		                     }
 	                     });
 	for (std::size_t i = 0; i < openStars.size(); ++i) {

@@ -98,9 +98,13 @@ Status look(const Arrangement& arrangement, Monitor& monitor, WrongPairs& wrong,
 	if (!status.ok() || !surface.anySuspect) {
 		return status;
 	}
-	const std::vector<std::uint32_t> faces = distinctFaces(arrangement, surface);
-	areAllDistinct = faces.size() == surface.corners.size();
-	return findFaults(surface, faces, arrangement.options.threads, monitor, wrong);
+	std::vector<std::uint32_t> faces;
+	return inOrder([&] { return findDistinctFaces(arrangement, surface, monitor, faces); },
+	               [&] {
+		               areAllDistinct = faces.size() == surface.corners.size();
+		               return findFaults(surface, faces, arrangement.options.threads, monitor,
+		                                 wrong);
+	               });
 }
 
 }  // namespace

@@ -2,11 +2,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // With nothing but curve points rounded, only pieces are suspect: uncut faces are looked at once,
-// by their boxes, where they are. Else all are taken.
+// by their boxes, where they are. Else, or if they are few beside the pieces, all are taken.
 #include "vcg_ext/arrange/stored_surface.h"
 
 #include "vcg_ext/arrange/near_faces.h"
 #include "vcg_ext/arrange/places.h"
+#include "vcg_ext/base/bucket_sort.h"
 #include "vcg_ext/base/parallel.h"
 #include "vcg_ext/mesh/face_key.h"
 #include "vcg_ext/mesh/vertex_table.h"
@@ -55,10 +56,10 @@ private:
 	Monitor& monitor_;
 	StoredSurface& out_;
 	bool areInputsRounded_ = false;
-	std::vector<BoundingBox> boxes_;     // of suspect pieces
-	std::vector<std::uint32_t> uncut_;   // faces
-	std::vector<std::uint32_t> number_;  // per vertex of the arrangement
-	Points places_;                      // per vertex of the surface
+	std::vector<BoundingBox> boxes_;    // of suspect pieces
+	std::vector<std::uint32_t> uncut_;  // faces
+	HugeVector<std::uint32_t> number_;  // per vertex of the arrangement that is used
+	Points places_;                     // per vertex of the surface
 };
 
 Status Collector::lookAtInputs() {
@@ -102,7 +103,8 @@ void Collector::listBoxes() {
 
 Status Collector::listUncut() {
 	const MeshArrays& mesh = arrangement_.mesh;
-	if (areInputsRounded_) {
+	const bool areFew = mesh.triangles.size() <= arrangement_.refinement.pieces.size();
+	if (areInputsRounded_ || areFew) {
 		uncut_.resize(mesh.triangles.size());
 		for (std::size_t f = 0; f < uncut_.size(); ++f) {
 			uncut_[f] = static_cast<std::uint32_t>(f);
@@ -124,10 +126,11 @@ Status Collector::listUncut() {
 
 void Collector::numberVertices() {
 	const MeshArrays& mesh = arrangement_.mesh;
-	number_.assign(mesh.points.size() + arrangement_.curve.pointCount(), kNone);
-	const auto use = [this](const Triangle& t) {
+	number_.resizeForOverwrite(mesh.points.size() + arrangement_.curve.pointCount());
+	std::vector<std::uint64_t> used(number_.size() / 64 + 1);
+	const auto use = [&used](const Triangle& t) {
 		for (const VertexId v : t) {
-			at(number_, v) = 0;
+			used[v.value / 64] |= std::uint64_t{1} << v.value % 64;
 		}
 	};
 	for (const std::uint32_t f : uncut_) {
@@ -136,10 +139,12 @@ void Collector::numberVertices() {
 	for (const Triangle& t : arrangement_.refinement.pieces) {
 		use(t);
 	}
-	for (std::size_t v = 0; v < number_.size(); ++v) {
-		if (number_[v] != kNone) {
-			number_[v] = static_cast<std::uint32_t>(out_.vertices.size());
-			out_.vertices.push_back(makeId<VertexTag>(v));
+	for (std::size_t word = 0; word < used.size(); ++word) {
+		for (std::size_t v = 64 * word; used[word] != 0; used[word] >>= 1U, ++v) {
+			if ((used[word] & 1U) != 0) {
+				number_[v] = static_cast<std::uint32_t>(out_.vertices.size());
+				out_.vertices.push_back(makeId<VertexTag>(v));
+			}
 		}
 	}
 }
@@ -233,7 +238,7 @@ Status findFaults(const StoredSurface& surface, const std::vector<std::uint32_t>
 		isSuspect.push_back(surface.isSuspect[face]);
 	}
 	const FacesView view(surface.places, triangles.data(), triangles.size());
-	const Status status = findWrongPairsAmong(view, isSuspect, {threads, false}, monitor, out);
+	const Status status = findWrongPairs(view, {threads, false, &isSuspect}, monitor, out);
 	for (FacePair& pair : out.pairs) {
 		pair = {{which[pair.a.value]}, {which[pair.b.value]}};
 	}
@@ -244,8 +249,8 @@ Status findFaults(const StoredSurface& surface, const std::vector<std::uint32_t>
 }
 
 // Twins are pieces of both operands.
-std::vector<std::uint32_t> distinctFaces(const Arrangement& arrangement,
-                                         const StoredSurface& surface) {
+Status findDistinctFaces(const Arrangement& arrangement, const StoredSurface& surface,
+                         Monitor& monitor, std::vector<std::uint32_t>& out) {
 	std::vector<KeyedFace<std::uint32_t>> keyed;
 	std::vector<std::uint8_t> isLeftOut(surface.corners.size());
 	for (std::uint32_t f = 0; f < surface.corners.size(); ++f) {
@@ -259,19 +264,22 @@ std::vector<std::uint32_t> distinctFaces(const Arrangement& arrangement,
 			keyed.push_back({faceKeyOf(corners), f});
 		}
 	}
-	std::sort(keyed.begin(), keyed.end(), [](const auto& a, const auto& b) {
+	const auto firstCorner = [](const auto& item) { return item.key.corners[0]; };
+	const auto isBefore = [](const auto& a, const auto& b) {
 		return a.key != b.key ? a.key < b.key : a.face < b.face;
-	});
+	};
+	const Status status = bucketSort(keyed, surface.vertices.size(), firstCorner, isBefore,
+	                                 arrangement.options.threads, monitor);
 	for (std::size_t i = 1; i < keyed.size(); ++i) {
 		isLeftOut[keyed[i].face] = keyed[i].key == keyed[i - 1].key ? 1 : 0;
 	}
-	std::vector<std::uint32_t> faces;
+	out.clear();
 	for (std::uint32_t f = 0; f < isLeftOut.size(); ++f) {
 		if (isLeftOut[f] == 0) {
-			faces.push_back(f);
+			out.push_back(f);
 		}
 	}
-	return faces;
+	return status;
 }
 
 }  // namespace index_boolean

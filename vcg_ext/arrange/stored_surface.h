@@ -48,14 +48,15 @@ inline bool isCollapsed(const IndexTriangle& stored) {
 // Finds what is wrong among some faces: pairs that meet wrongly and faces without area.
 // \param which ascending; none collapsed. Two on the same three places meet wrongly
 // \param out   replaced; by the surface's faces
-// \return Ok, Cancelled, OutOfMemory, InternalError. Complexity: see findWrongPairsAmong.
+// \return Ok, Cancelled, OutOfMemory, InternalError. Complexity: see findWrongPairs.
 Status findFaults(const StoredSurface& surface, const std::vector<std::uint32_t>& which,
                   int threads, Monitor& monitor, WrongPairs& out);
 
-// The faces of a surface that are not collapsed, of twin pieces only one.
-// Throws std::bad_alloc. Complexity: O(n + d log d), d pieces with all corners on the other
-// operand.
-std::vector<std::uint32_t> distinctFaces(const Arrangement& arrangement,
-                                         const StoredSurface& surface);
+// Lists the faces of a surface that are not collapsed, of twin pieces only one.
+// \param out replaced; ascending
+// \return Ok or Cancelled. Throws std::bad_alloc. Complexity: O(n + d log d), d pieces with all
+// corners on the other operand.
+Status findDistinctFaces(const Arrangement& arrangement, const StoredSurface& surface,
+                         Monitor& monitor, std::vector<std::uint32_t>& out);
 
 }  // namespace index_boolean

@@ -17,7 +17,7 @@ namespace index_boolean {
 
 namespace {
 
-constexpr std::size_t kGrain = 1 << 14;
+constexpr std::size_t kGrain = 1 << 11;
 
 // For each vertex what its faces tell it, from ends[vertex - 1] to ends[vertex].
 class Neighbours {

@@ -46,34 +46,25 @@ private:
 	std::vector<FacePair> pairs_;
 };
 
-// What is to be done with a surface.
-struct SearchTask {
-	const WrongPairOptions& options;
-	const std::vector<std::uint8_t>* isSuspect;  // as of SearchedSurface
-};
-
-Status search(const FacesView& faces, const SearchTask& task, Monitor& monitor,
+Status search(const FacesView& faces, const WrongPairOptions& options, Monitor& monitor,
               WrongPairTaker& taker, std::vector<std::uint32_t>& zeroAreaFaces) {
 	zeroAreaFaces.clear();
 	if (faces.count() == 0) {
 		return {};
 	}
-	SearchedSurface surface{faces, task.options.threads, task.isSuspect, {}, {}, {}};
+	SearchedSurface surface{faces, options.threads, options.isSuspect, {}, {}, {}};
 	PairJudge judge(faces, monitor, taker);
 	WordsLeave left;
 	FaceOrder order;
 	BoxPyramid pyramid;
-	Status status = inOrder([&] { return placeInFrame(surface, monitor); },
-	                        [&] {
-		                        return task.options.isBalanced
-		                                   ? Status{}
-		                                   : findUnbalancedVertices(surface, monitor);
-	                        },
-	                        [&] { return certifyStars(surface, monitor, left); },
-	                        [&] { return closeStars(left.openStars, monitor, judge, surface); },
-	                        [&] { return orderFaces(surface, monitor, order); },
-	                        [&] { return buildPyramid(surface, order, monitor, pyramid); },
-	                        [&] { return descendPyramid(surface, pyramid, monitor, judge); });
+	Status status = inOrder(
+	    [&] { return placeInFrame(surface, monitor); },
+	    [&] { return options.isBalanced ? Status{} : findUnbalancedVertices(surface, monitor); },
+	    [&] { return certifyStars(surface, monitor, left); },
+	    [&] { return closeStars(left.openStars, monitor, judge, surface); },
+	    [&] { return orderFaces(surface, monitor, order); },
+	    [&] { return buildPyramid(surface, order, monitor, pyramid); },
+	    [&] { return descendPyramid(surface, pyramid, monitor, judge); });
 	if (status.ok() && judge.sawContradiction()) {
 		status.code = StatusCode::InternalError;
 	}
@@ -84,8 +75,9 @@ Status search(const FacesView& faces, const SearchTask& task, Monitor& monitor,
 }
 
 // The search among the suspect faces and those near them.
-Status searchAmong(const FacesView& faces, const std::vector<std::uint8_t>& isSuspect,
-                   const WrongPairOptions& options, Monitor& monitor, WrongPairs& out) {
+Status searchNear(const FacesView& faces, const WrongPairOptions& options, Monitor& monitor,
+                  WrongPairs& out) {
+	const std::vector<std::uint8_t>& isSuspect = *options.isSuspect;
 	std::vector<std::uint32_t> near;
 	const Status status = findNearFaces(faces, isSuspect, options.threads, monitor, near);
 	if (!status.ok()) {
@@ -98,8 +90,9 @@ Status searchAmong(const FacesView& faces, const std::vector<std::uint8_t>& isSu
 	               [&isSuspect](std::uint32_t face) { return isSuspect[face]; });
 	PairList list;
 	const FacesView view(apart.points, apart.triangles.data(), apart.triangles.size());
+	// Among those near suspects not all that is balanced remains so.
 	const Status searched =
-	    search(view, {options, &isSuspectApart}, monitor, list, out.zeroAreaFaces);
+	    search(view, {options.threads, false, &isSuspectApart}, monitor, list, out.zeroAreaFaces);
 	const auto nameOf = [&near](std::uint32_t face) { return near[face]; };
 	out.pairs = list.sorted(nameOf);
 	std::transform(out.zeroAreaFaces.begin(), out.zeroAreaFaces.end(), out.zeroAreaFaces.begin(),
@@ -135,23 +128,21 @@ Status findWrongPairs(const FacesView& faces, const WrongPairOptions& options, M
 	out = {};
 	return guarded([&] {
 		PairList list;
-		const Status status = search(faces, {options, nullptr}, monitor, list, out.zeroAreaFaces);
+		const Status status = search(faces, options, monitor, list, out.zeroAreaFaces);
 		out.pairs = list.sorted([](std::uint32_t face) { return face; });
 		return status;
 	});
 }
 
-Status findWrongPairsAmong(const FacesView& faces, const std::vector<std::uint8_t>& isSuspect,
-                           const WrongPairOptions& options, Monitor& monitor, WrongPairs& out) {
+Status findWrongPairsNearSuspects(const FacesView& faces, const WrongPairOptions& options,
+                                  Monitor& monitor, WrongPairs& out) {
 	out = {};
-	return guarded([&] { return searchAmong(faces, isSuspect, options, monitor, out); });
+	return guarded([&] { return searchNear(faces, options, monitor, out); });
 }
 
 Status visitWrongPairs(const FacesView& faces, const WrongPairOptions& options, Monitor& monitor,
                        WrongPairTaker& taker, std::vector<std::uint32_t>& zeroAreaFaces) {
-	return guarded([&] {
-		return search(faces, {options, nullptr}, monitor, taker, zeroAreaFaces);
-	});
+	return guarded([&] { return search(faces, options, monitor, taker, zeroAreaFaces); });
 }
 
 }  // namespace index_boolean

@@ -23,6 +23,9 @@ namespace index_boolean {
 struct WrongPairOptions {
 	int threads = 0;          // 0: as many as OpenMP gives
 	bool isBalanced = false;  // the caller knows that each edge has as many faces each way
+	// Per face, not 0: suspect. Only pairs with a suspect face are found, and suspect zero-area
+	// faces: of a surface of which all other pairs are known. Null: all are suspect.
+	const std::vector<std::uint8_t>* isSuspect = nullptr;
 };
 
 // What has been found, by the indices of faces.
@@ -45,13 +48,12 @@ std::vector<std::uint32_t> facesConcerned(const WrongPairs& found);
 Status findWrongPairs(const FacesView& faces, const WrongPairOptions& options, Monitor& monitor,
                       WrongPairs& out);
 
-// The same, but only pairs with a suspect face are found, and suspect zero-area faces: of a surface
-// of which all other pairs are known. It need not be welded.
-// \param isSuspect per face, not 0: suspect
+// The same for a surface with few suspect faces. It need not be welded.
+// \pre options.isSuspect is not null
 // \return as above. Complexity: one pass over the faces; then as above, for the suspect faces and
 // those near them.
-Status findWrongPairsAmong(const FacesView& faces, const std::vector<std::uint8_t>& isSuspect,
-                           const WrongPairOptions& options, Monitor& monitor, WrongPairs& out);
+Status findWrongPairsNearSuspects(const FacesView& faces, const WrongPairOptions& options,
+                                  Monitor& monitor, WrongPairs& out);
 
 // Hands all pairs of faces that meet wrongly to a taker, as they are found, for whom a list may be
 // too long: a tangle of n faces may have n^2 of them.

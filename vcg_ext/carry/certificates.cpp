@@ -60,11 +60,12 @@ Status certify(const Arrangement& arrangement, const SourcedMesh& mesh,
 	WrongPairOptions options;
 	options.threads = arrangement.options.threads;
 	std::vector<std::uint8_t> isSuspect;
+	options.isSuspect = &isSuspect;
 	WrongPairs found;
 	const FacesView faces(mesh.points, mesh.triangles.data(), mesh.triangles.size());
 	const Status status =
 	    inOrder([&] { return findSuspects(arrangement, mesh, monitor, isSuspect); },
-	            [&] { return findWrongPairsAmong(faces, isSuspect, options, monitor, found); });
+	            [&] { return findWrongPairsNearSuspects(faces, options, monitor, found); });
 	if (!part.empty()) {
 		leaveWithinParts(part, found.pairs);
 	}

@@ -24,7 +24,7 @@ namespace index_boolean {
 //              what repair_places has found of all of them is true of these
 // \param out   replaced; not known with options.certify off
 // \return Ok, Cancelled, OutOfMemory, InternalError
-// Complexity: one pass over the faces, then that of findWrongPairsAmong. In parallel.
+// Complexity: one pass over the faces, then that of findWrongPairsNearSuspects. In parallel.
 Status certify(const Arrangement& arrangement, const SourcedMesh& mesh,
                const std::vector<std::uint32_t>& part, bool isAsCut, Monitor& monitor,
                Certificate& out);

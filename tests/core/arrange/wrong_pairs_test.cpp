@@ -55,10 +55,11 @@ FacesView viewed(const Mesh& mesh) {
 
 bool isClosedMesh(const Mesh& mesh) { return isClosed(mesh.triangles); }
 
-Found search(const Mesh& mesh, int threads = 2) {
+Found search(const Mesh& mesh, int threads = 2,
+             const std::vector<std::uint8_t>* isSuspect = nullptr) {
 	Monitor monitor;
 	WrongPairs wrong;
-	const Status status = findWrongPairs(viewed(mesh), {threads, false}, monitor, wrong);
+	const Status status = findWrongPairs(viewed(mesh), {threads, false, isSuspect}, monitor, wrong);
 	EXPECT_TRUE(status.ok()) << describe(status);
 	return asFound(wrong);
 }
@@ -67,7 +68,7 @@ Found searchAmong(const Mesh& mesh, const std::vector<std::uint8_t>& isSuspect, 
 	Monitor monitor;
 	WrongPairs wrong;
 	const Status status =
-	    findWrongPairsAmong(viewed(mesh), isSuspect, {threads, false}, monitor, wrong);
+	    findWrongPairsNearSuspects(viewed(mesh), {threads, false, &isSuspect}, monitor, wrong);
 	EXPECT_TRUE(status.ok()) << describe(status);
 	return asFound(wrong);
 }
@@ -317,7 +318,9 @@ TEST(WrongPairs, fuzzedSurfacesAreJudgedAsByRationalArithmetic) {
 		for (std::uint8_t& suspect : isSuspect) {
 			suspect = random() % share == 0 ? 1 : 0;
 		}
-		ASSERT_EQ(searchAmong(mesh, isSuspect), onlyOf(all, isSuspect)) << "share " << share;
+		const Found some = onlyOf(all, isSuspect);
+		ASSERT_EQ(searchAmong(mesh, isSuspect), some) << "share " << share;
+		ASSERT_EQ(search(mesh, 2, &isSuspect), some) << "share " << share;
 	}
 	for (const int count : {clean, wrong, flat, closed}) {
 		EXPECT_GT(count, 20);
