@@ -45,9 +45,6 @@ public:
 	// if there is no room for one more. Valid until the edges are replaced. O(1).
 	FaceEdge* named(std::uint32_t a, std::uint32_t b);
 
-	// The fixed edge between two points given by rank, or null. O(1).
-	FaceEdge* fixedBetween(std::uint32_t a, std::uint32_t b);
-
 	ConstRange<FaceEdge> others() const {
 		return {edges_.data() + fixedCount_, edges_.data() + edges_.size()};
 	}
@@ -79,11 +76,6 @@ inline std::size_t FaceEdges::slotOf(PlanarEdge ranks) const {
 		}
 	}
 	return slot;
-}
-
-inline FaceEdge* FaceEdges::fixedBetween(std::uint32_t a, std::uint32_t b) {
-	const std::uint32_t found = slots_[slotOf({std::min(a, b), std::max(a, b)})];
-	return found != 0 && found <= fixedCount_ ? &edges_[found - 1] : nullptr;
 }
 
 inline FaceEdge* FaceEdges::named(std::uint32_t a, std::uint32_t b) {

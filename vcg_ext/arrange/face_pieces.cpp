@@ -88,11 +88,12 @@ bool FacePieces::certify(FaceEdges& edges) {
 void FacePieces::enterBesideFixed(FaceEdges& edges) const {
 	for (std::uint32_t piece = 0; piece < triangles.size(); ++piece) {
 		for (int i = 0; i < 3; ++i) {
+			if (flips_.isFree(piece, static_cast<std::size_t>(i))) {
+				continue;
+			}
 			const std::uint32_t from = triangles[piece][static_cast<std::size_t>(i)];
 			const std::uint32_t to = triangles[piece][static_cast<std::size_t>(nextCorner(i))];
-			if (FaceEdge* edge = edges.fixedBetween(from, to); edge != nullptr) {
-				edge->pieces[from < to ? 1 : 0] = piece;
-			}
+			edges.named(from, to)->pieces[from < to ? 1 : 0] = piece;
 		}
 	}
 }

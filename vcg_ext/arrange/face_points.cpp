@@ -7,7 +7,6 @@
 #include "vcg_ext/arrange/places.h"
 
 #include <algorithm>
-#include <numeric>
 
 namespace index_boolean {
 
@@ -83,6 +82,25 @@ void FacePoints::findPlaces() {
 	}
 }
 
+// By the first rounded coordinate, kept beside each point, where that tells.
+void FacePoints::sortByPlace() {
+	firsts_.clear();
+	for (std::uint32_t i = 0; i < points_.size(); ++i) {
+		firsts_.push_back({rounded_[i].x.value, i});
+	}
+	std::sort(firsts_.begin(), firsts_.end(), [this](const First& p, const First& q) {
+		if (p.x != q.x) {
+			return p.x < q.x;
+		}
+		const bool areOne = points_[p.point].id == points_[q.point].id;
+		return areOne ? p.point < q.point : isBefore(p.point, q.point);
+	});
+	order_.clear();
+	for (const First& first : firsts_) {
+		order_.push_back(first.point);
+	}
+}
+
 bool FacePoints::rank(int axis) {
 	axis_ = axis;
 	rounded_.clear();
@@ -90,18 +108,10 @@ bool FacePoints::rank(int axis) {
 		const bool isExact = !arrangement_.isCurvePoint(p.id);
 		rounded_.emplace_back(arrangement_.coordinates(p.id), isExact, axis);
 	}
-	order_.resize(points_.size());
-	std::iota(order_.begin(), order_.end(), 0u);
-	const auto before = [this](std::uint32_t a, std::uint32_t b) { return isBefore(a, b); };
+	sortByPlace();
 	bool areApart = true;
-	std::sort(order_.begin(), order_.end(), [&](std::uint32_t a, std::uint32_t b) {
-		if (points_[a].id == points_[b].id) {
-			return a < b;
-		}
-		return before(a, b);
-	});
 	for (std::size_t i = 0; i + 1 < order_.size(); ++i) {
-		areApart = areApart && before(order_[i], order_[i + 1]);
+		areApart = areApart && isBefore(order_[i], order_[i + 1]);
 	}
 	rankOf_.resize(order_.size());
 	for (std::uint32_t rank = 0; rank < order_.size(); ++rank) {

@@ -64,6 +64,13 @@ public:
 	int operator()(std::uint32_t a, std::uint32_t b, std::uint32_t c) const override;
 
 private:
+	// A point by its first rounded coordinate.
+	struct First {
+		double x;
+		std::uint32_t point;
+	};
+
+	void sortByPlace();
 	void findPlaces();
 	bool isBefore(std::uint32_t a, std::uint32_t b) const;
 	ExactPoint exact(std::uint32_t i) const;
@@ -74,6 +81,7 @@ private:
 	std::size_t borderCount_ = 0;
 	std::vector<FacePoint> points_;      // by id, or as taken
 	std::vector<PlanarPoint> rounded_;   // of each
+	std::vector<First> firsts_;          // by rank
 	std::vector<std::uint32_t> order_;   // by rank: which of the points it is
 	std::vector<std::uint32_t> rankOf_;  // of each
 	std::vector<PlanarPlace> places_;    // by rank

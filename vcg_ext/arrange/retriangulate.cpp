@@ -149,23 +149,46 @@ Status statusOf(const Arrangement& arrangement, const Failure& failure) {
 	return status;
 }
 
+// Where chunks of the touched faces begin, and the end. A chunk is some faces, or fewer if they
+// have many segments: a few large faces are not to keep one thread busy when the other has nothing
+// left.
+std::vector<std::size_t> chunkBounds(const Curve& curve) {
+	constexpr std::size_t kMostFaces = 48;  // less than what waking a thread costs
+	constexpr std::size_t kMostSegments = 1024;
+	const std::vector<FaceId>& faces = curve.touchedFaces;
+	std::vector<std::size_t> bounds{0};
+	std::size_t next = 0, first = 0;  // of the segments on faces: of the face, of the chunk
+	for (std::size_t i = 0; i < faces.size(); ++i) {
+		while (next < curve.faceSegments.size() && !(faces[i] < curve.faceSegments[next].face)) {
+			++next;
+		}
+		if (i + 1 - bounds.back() == kMostFaces || next - first >= kMostSegments ||
+		    i + 1 == faces.size()) {
+			bounds.push_back(i + 1);
+			first = next;
+		}
+	}
+	return bounds;
+}
+
 // Cuts the touched faces, chunk by chunk.
 Status cutFaces(const Arrangement& arrangement, Monitor& monitor,
                 std::vector<ChunkPieces>& chunks) {
-	constexpr std::size_t kGrain = 48;  // faces; less than what waking a thread costs
 	const std::vector<FaceId>& faces = arrangement.curve.touchedFaces;
 	const FaceLineFinder finder(arrangement);
-	chunks.resize(chunkCount(faces.size(), kGrain));
+	const std::vector<std::size_t> bounds = chunkBounds(arrangement.curve);
+	chunks.resize(bounds.size() - 1);
 	std::vector<Failure> failures(chunks.size());
-	const auto cutChunk = [&](std::size_t chunk, std::size_t begin, std::size_t end) {
+	const auto cutChunk = [&](std::size_t chunk, std::size_t, std::size_t) {
 		FaceCutter cutter(arrangement, finder, monitor, chunks[chunk]);
 		Failure& failure = failures[chunk];
-		for (std::size_t i = begin; i < end && failure.code == StatusCode::Ok; ++i) {
+		for (std::size_t i = bounds[chunk]; i < bounds[chunk + 1] && failure.code == StatusCode::Ok;
+		     ++i) {
 			failure = cutter.cut(faces[i]);
 		}
 	};
 	const Status status =
-	    parallelForChunks(faces.size(), kGrain, arrangement.options.threads, monitor, cutChunk);
+	    parallelForChunks(chunks.size(), 1, arrangement.options.threads, monitor, cutChunk);
 	if (!status.ok()) {
 		return status;
 	}

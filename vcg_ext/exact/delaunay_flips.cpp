@@ -20,7 +20,6 @@
 // them alike.
 #include "vcg_ext/exact/delaunay_flips.h"
 
-#include "vcg_ext/base/ids.h"
 #include "vcg_ext/base/parallel.h"
 
 #include <algorithm>
@@ -30,13 +29,11 @@ namespace index_boolean {
 
 namespace {
 
-bool isBefore(const PlanarEdge& e, const PlanarEdge& f) {
-	return e.left != f.left ? e.left < f.left : e.right < f.right;
-}
-
 PlanarEdge edgeBetween(std::uint32_t a, std::uint32_t b) {
 	return {std::min(a, b), std::max(a, b)};
 }
+
+constexpr std::array<std::size_t, 3> kNext{1, 2, 0}, kBefore{2, 0, 1};
 
 // The corner at which a triangle's side with these ends begins.
 std::size_t sideOf(const std::array<std::uint32_t, 3>& t, const PlanarEdge& ends) {
@@ -49,6 +46,27 @@ std::size_t sideOf(const std::array<std::uint32_t, 3>& t, const PlanarEdge& ends
 
 }  // namespace
 
+// Sorts edges in the order of their ends: by buckets for the left end, each of them in place.
+void DelaunayFlips::sort(std::vector<FreeEdge>& edges, std::size_t pointCount) {
+	ends_.assign(pointCount + 1, 0);
+	for (const FreeEdge& edge : edges) {
+		++ends_[edge.ends.left + 1];
+	}
+	std::partial_sum(ends_.begin(), ends_.end(), ends_.begin());
+	sorted_.resize(edges.size());
+	for (const FreeEdge& edge : edges) {
+		sorted_[ends_[edge.ends.left]++] = edge;
+	}
+	std::size_t begin = 0;
+	for (std::size_t left = 0; left < pointCount; ++left) {
+		std::sort(sorted_.begin() + static_cast<std::ptrdiff_t>(begin),
+		          sorted_.begin() + static_cast<std::ptrdiff_t>(ends_[left]),
+		          [](const FreeEdge& e, const FreeEdge& f) { return e.ends.right < f.ends.right; });
+		begin = ends_[left];
+	}
+	edges.swap(sorted_);
+}
+
 // Enters each edge into both of its triangles.
 void DelaunayFlips::link(const std::vector<FreeEdge>& edges, std::size_t triangleCount) {
 	edgeOf_.assign(triangleCount, {kNone, kNone, kNone});
@@ -59,32 +77,24 @@ void DelaunayFlips::link(const std::vector<FreeEdge>& edges, std::size_t triangl
 	}
 }
 
-// The first triangle is the one whose opposite corner has the lower rank.
 DelaunayFlips::Quad DelaunayFlips::quadOf(const FreeEdge& edge, std::uint32_t index) const {
-	Quad q{};
-	std::array<std::size_t, 2> side{};
-	std::array<std::uint32_t, 2> triangle = edge.triangles, opposite{};
-	for (std::size_t i = 0; i < 2; ++i) {
-		const auto& edges = edgeOf_[triangle[i]];
-		side[i] = edges[0] == index ? 0 : (edges[1] == index ? 1 : 2);
-		opposite[i] = (*triangles_)[triangle[i]][(side[i] + 2) % 3];
-	}
-	if (opposite[0] > opposite[1]) {
-		std::swap(side[0], side[1]);
-		std::swap(triangle[0], triangle[1]);
-		std::swap(opposite[0], opposite[1]);
-	}
-	q.first = triangle[0];
-	q.second = triangle[1];
-	q.a = (*triangles_)[q.first][side[0]];
-	q.b = (*triangles_)[q.second][side[1]];
-	q.c = opposite[0];
-	q.d = opposite[1];
-	q.bc = edgeOf_[q.first][(side[0] + 1) % 3];
-	q.ca = edgeOf_[q.first][(side[0] + 2) % 3];
-	q.ad = edgeOf_[q.second][(side[1] + 1) % 3];
-	q.db = edgeOf_[q.second][(side[1] + 2) % 3];
-	return q;
+	const auto sideOfTriangle = [this, index](std::uint32_t triangle) -> std::size_t {
+		const auto& edges = edgeOf_[triangle];
+		return edges[0] == index ? 0 : edges[1] == index ? 1 : 2;
+	};
+	const auto [s, t] = edge.triangles;
+	const std::size_t sideOfS = sideOfTriangle(s), sideOfT = sideOfTriangle(t);
+	const std::array<std::uint32_t, 3>&cornersOfS = (*triangles_)[s],
+	                                &cornersOfT = (*triangles_)[t];
+	const std::uint32_t c = cornersOfS[kBefore[sideOfS]], d = cornersOfT[kBefore[sideOfT]];
+	return c < d ? Quad{cornersOfS[sideOfS], cornersOfT[sideOfT], c, d, s, t, sideOfS, sideOfT}
+	             : Quad{cornersOfT[sideOfT], cornersOfS[sideOfS], d, c, t, s, sideOfT, sideOfS};
+}
+
+DelaunayFlips::Sides DelaunayFlips::sidesOf(const Quad& q) const {
+	const auto &first = edgeOf_[q.first], &second = edgeOf_[q.second];
+	return {first[kNext[q.firstSide]], first[kBefore[q.firstSide]], second[kNext[q.secondSide]],
+	        second[kBefore[q.secondSide]]};
 }
 
 bool DelaunayFlips::isWanted(const Quad& q) const {
@@ -106,21 +116,21 @@ void DelaunayFlips::moveSide(std::uint32_t side, std::uint32_t from, std::uint32
 	}
 }
 
-void DelaunayFlips::flip(const Quad& q, std::uint32_t index) {
+void DelaunayFlips::flip(const Quad& q, const Sides& sides, std::uint32_t index) {
 	const bool aIsLower = q.a < q.b;  // the first triangle becomes that at the lower end
 	const std::uint32_t atA = aIsLower ? q.first : q.second, atB = aIsLower ? q.second : q.first;
 	(*triangles_)[atA] = {q.a, q.d, q.c};
-	edgeOf_[atA] = {q.ad, index, q.ca};
+	edgeOf_[atA] = {sides.ad, index, sides.ca};
 	(*triangles_)[atB] = {q.d, q.b, q.c};
-	edgeOf_[atB] = {q.db, q.bc, index};
+	edgeOf_[atB] = {sides.db, sides.bc, index};
 	(*edges_)[index].ends = edgeBetween(q.c, q.d);
-	moveSide(q.ca, q.first, atA);
-	moveSide(q.bc, q.first, atB);
-	moveSide(q.ad, q.second, atA);
-	moveSide(q.db, q.second, atB);
+	moveSide(sides.ca, q.first, atA);
+	moveSide(sides.bc, q.first, atB);
+	moveSide(sides.ad, q.second, atA);
+	moveSide(sides.db, q.second, atB);
 }
 
-void DelaunayFlips::enqueueSides(const Quad& q) {
+void DelaunayFlips::enqueue(const Sides& sides) {
 	struct Side {
 		std::uint64_t ends;
 		std::uint32_t edge;
@@ -129,11 +139,11 @@ void DelaunayFlips::enqueueSides(const Quad& q) {
 		const PlanarEdge ends = e == kNone ? PlanarEdge{kNone, kNone} : (*edges_)[e].ends;
 		return Side{std::uint64_t{ends.left} << 32 | ends.right, e};
 	};
-	std::array<Side, 4> sides{sideOfEdge(q.ad), sideOfEdge(q.db), sideOfEdge(q.bc),
-	                          sideOfEdge(q.ca)};
-	const auto order = [&sides](std::size_t i, std::size_t j) {
-		if (sides[j].ends < sides[i].ends) {
-			std::swap(sides[i], sides[j]);
+	std::array<Side, 4> ordered{sideOfEdge(sides.ad), sideOfEdge(sides.db), sideOfEdge(sides.bc),
+	                            sideOfEdge(sides.ca)};
+	const auto order = [&ordered](std::size_t i, std::size_t j) {
+		if (ordered[j].ends < ordered[i].ends) {
+			std::swap(ordered[i], ordered[j]);
 		}
 	};
 	order(0, 1);
@@ -141,7 +151,7 @@ void DelaunayFlips::enqueueSides(const Quad& q) {
 	order(0, 2);
 	order(1, 3);
 	order(1, 2);
-	for (const Side& side : sides) {
+	for (const Side& side : ordered) {
 		if (side.edge != kNone && isQueued_[side.edge] == 0) {
 			queue_.push_back(side.edge);
 			isQueued_[side.edge] = 1;
@@ -158,8 +168,7 @@ std::size_t DelaunayFlips::run(std::vector<FreeEdge>& edges, const std::vector<P
 	places_ = &places;
 	orientation_ = &orientation;
 	front_ = front;
-	std::sort(edges.begin(), edges.end(),
-	          [](const FreeEdge& e, const FreeEdge& f) { return isBefore(e.ends, f.ends); });
+	sort(edges, places.size());
 	link(edges, triangles.size());
 	queue_.resize(edges.size());
 	std::iota(queue_.begin(), queue_.end(), 0u);
@@ -173,8 +182,9 @@ std::size_t DelaunayFlips::run(std::vector<FreeEdge>& edges, const std::vector<P
 		isQueued_[index] = 0;
 		const Quad quad = quadOf(edges[index], index);
 		if (isWanted(quad) && isLegal(quad)) {
-			flip(quad, index);
-			enqueueSides(quad);
+			const Sides sides = sidesOf(quad);
+			flip(quad, sides, index);
+			enqueue(sides);
 			++flips;
 		}
 		if (head > kEdgesAPoll && 2 * head > queue_.size()) {  // done: no more of it is kept

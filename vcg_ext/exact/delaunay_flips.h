@@ -10,6 +10,7 @@
 // Source: Lawson 1977.
 #pragma once
 
+#include "vcg_ext/base/ids.h"
 #include "vcg_ext/base/monitor.h"
 #include "vcg_ext/exact/in_circle.h"
 #include "vcg_ext/exact/planar_sweep.h"
@@ -47,21 +48,33 @@ public:
 	                const PlanarOrientation& orientation, Monitor& monitor,
 	                RankTriangles& triangles);
 
+	// Whether the side from a triangle's corner on is a free edge of the last run. O(1).
+	bool isFree(std::size_t triangle, std::size_t corner) const {
+		return edgeOf_[triangle][corner] != kNone;
+	}
+
 private:
-	// The four points around an edge from a to b, which its first triangle has that way.
+	// The four points around an edge from a to b, which its first triangle has that way, and that
+	// triangle has the opposite corner of lower rank.
 	struct Quad {
-		std::uint32_t a, b, c, d;      // c: opposite, in the first triangle; d: in the second
-		std::uint32_t bc, ca, ad, db;  // the sides, as edges; kNone if fixed
-		std::uint32_t first, second;   // triangles
+		std::uint32_t a, b, c, d;           // c: opposite, in the first triangle; d: in the second
+		std::uint32_t first, second;        // triangles
+		std::size_t firstSide, secondSide;  // the edge, by the corner where it begins
+	};
+	// Its sides, as edges; kNone if fixed.
+	struct Sides {
+		std::uint32_t bc, ca, ad, db;
 	};
 
+	void sort(std::vector<FreeEdge>& edges, std::size_t pointCount);
 	void link(const std::vector<FreeEdge>& edges, std::size_t triangleCount);
 	Quad quadOf(const FreeEdge& edge, std::uint32_t index) const;
+	Sides sidesOf(const Quad& quad) const;
 	bool isWanted(const Quad& quad) const;
 	bool isLegal(const Quad& quad) const;
-	void flip(const Quad& quad, std::uint32_t index);
+	void flip(const Quad& quad, const Sides& sides, std::uint32_t index);
 	void moveSide(std::uint32_t side, std::uint32_t from, std::uint32_t to);
-	void enqueueSides(const Quad& quad);
+	void enqueue(const Sides& sides);
 
 	// Of the run.
 	std::vector<FreeEdge>* edges_ = nullptr;
@@ -70,6 +83,8 @@ private:
 	const PlanarOrientation* orientation_ = nullptr;
 	int front_ = 1;
 
+	std::vector<std::uint32_t> ends_;  // per point: where the edges with it as their left end end
+	std::vector<FreeEdge> sorted_;
 	std::vector<std::array<std::uint32_t, 3>> edgeOf_;  // per triangle: from its corner i on
 	std::vector<std::uint32_t> queue_;                  // of edges; those before head_ are done
 	std::vector<std::uint8_t> isQueued_;                // per edge

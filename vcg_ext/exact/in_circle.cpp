@@ -6,8 +6,6 @@
 // to it, is known from three places.
 #include "vcg_ext/exact/in_circle.h"
 
-#include "vcg_ext/exact/exact_number.h"
-
 #include <algorithm>
 #include <cmath>
 #include <type_traits>
@@ -16,10 +14,41 @@ namespace index_boolean {
 
 namespace {
 
+// An unevaluated sum high + low. What the operations lose is bounded once for the whole formula: a
+// BoundedPair, which finds how much each of them loses, takes three times as long.
+struct Pair {
+	double high, low;
+
+	static Pair difference(double a, double b) {
+		double low = 0;
+		const double high = twoSum(a, -b, low);
+		return {high, low};
+	}
+	double size() const { return std::fabs(high); }
+};
+
+// Within 3u^2 of the sum of both sizes.
+Pair operator+(Pair a, Pair b) {
+	double highError = 0, low = 0;
+	const double high = twoSum(a.high, b.high, highError);
+	const double sum = twoSum(high, highError + (a.low + b.low), low);
+	return {sum, low};
+}
+
+Pair operator-(Pair a, Pair b) { return a + Pair{-b.high, -b.low}; }
+
+// Within 7u^2 of the product.
+Pair operator*(Pair a, Pair b) {
+	double error = 0, low = 0;
+	const double product = twoProduct(a.high, b.high, error);
+	const double high = twoSum(product, error + (a.high * b.low + a.low * b.high), low);
+	return {high, low};
+}
+
 template <class N>
 N difference(double a, double b) {
-	if constexpr (std::is_same_v<N, BoundedPair>) {
-		return BoundedPair::difference(a, b);
+	if constexpr (std::is_same_v<N, BoundedPair> || std::is_same_v<N, Pair>) {
+		return N::difference(a, b);
 	} else {
 		return N(a) - N(b);
 	}
@@ -48,34 +77,35 @@ int orientation(const PlanarPlace& a, const PlanarPlace& b, const PlanarPlace& c
 	});
 }
 
-// The sign as far as plain doubles tell, or kUnknownSign. With u the unit roundoff, the determinant
-// errs by less than (10 + 96 u) u times the sum of its terms' sizes (Shewchuk 1997), but for
-// underflow. The conditions see to that: a product's underflow, below 2^-1073, is multiplied by
-// less than 2^302 in all; that is below u times the least size admitted, and the factor 16 has room
-// for it. They are false for infinities and NaN.
-int inCircleByDoubles(const PlanarPlace& a, const PlanarPlace& b, const PlanarPlace& c,
-                      const PlanarPlace& d) {
-	constexpr double kMostHeight = 0x1p300, kLeastSize = 0x1p-700;
-	const double px = a[0] - d[0], py = a[1] - d[1], qx = b[0] - d[0], qy = b[1] - d[1],
-	             rx = c[0] - d[0], ry = c[1] - d[1];
-	const double p = px * px + py * py, q = qx * qx + qy * qy, r = rx * rx + ry * ry;
-	const double qr = qx * ry, rq = qy * rx, rp = rx * py, pr = ry * px, pq = px * qy, qp = py * qx;
-	const double value = p * (qr - rq) + q * (rp - pr) + r * (pq - qp);
-	const double size = p * (std::fabs(qr) + std::fabs(rq)) + q * (std::fabs(rp) + std::fabs(pr)) +
-	                    r * (std::fabs(pq) + std::fabs(qp));
-	const bool isInRange = p + q + r < kMostHeight && size > kLeastSize;
-	if (!isInRange || !(std::fabs(value) > 16 * kRoundoff * size)) {
+// The sign as far as pairs of doubles tell, or kUnknownSign. With u the unit roundoff, a factor of
+// a term, itself a sum of two products, errs by less than 11u^2 of its terms' sizes, the product of
+// two factors by 8u^2 more, the two sums by 4u^2 of all sizes each: in all by less than 40u^2 times
+// the sum of the terms' sizes. The conditions are as above; what underflows, errors of products
+// among it, is below u^2 times the least size admitted.
+int inCircleByPairs(const PlanarPlace& a, const PlanarPlace& b, const PlanarPlace& c,
+                    const PlanarPlace& d) {
+	constexpr double kMostHeight = 0x1p300, kLeastSize = 0x1p-600;
+	const Relative<Pair> p(a, d), q(b, d), r(c, d);
+	const Pair heightP = p.height(), heightQ = q.height(), heightR = r.height();
+	const Pair value = heightP * cross(q, r) + heightQ * cross(r, p) + heightR * cross(p, q);
+	const double qrSize = q.x.size() * r.y.size() + q.y.size() * r.x.size();
+	const double rpSize = r.x.size() * p.y.size() + r.y.size() * p.x.size();
+	const double pqSize = p.x.size() * q.y.size() + p.y.size() * q.x.size();
+	const double size = heightP.high * qrSize + heightQ.high * rpSize + heightR.high * pqSize;
+	const bool isInRange =
+	    heightP.high + heightQ.high + heightR.high < kMostHeight && size > kLeastSize;
+	if (!isInRange || !(value.size() > 64 * kRoundoff * kRoundoff * size)) {
 		return kUnknownSign;
 	}
-	countSign(Predicate::InCircle, DecidedBy::Double);
-	return value > 0 ? 1 : -1;
+	countSign(Predicate::InCircle, DecidedBy::DoubleDouble);
+	return value.high > 0 ? 1 : -1;
 }
 
 }  // namespace
 
-int inCircle(const PlanarPlace& a, const PlanarPlace& b, const PlanarPlace& c,
-             const PlanarPlace& d) {
-	if (const int sign = inCircleByDoubles(a, b, c, d); sign != kUnknownSign) {
+int inCircleInDoubt(const PlanarPlace& a, const PlanarPlace& b, const PlanarPlace& c,
+                    const PlanarPlace& d) {
+	if (const int sign = inCircleByPairs(a, b, c, d); sign != kUnknownSign) {
 		return sign;
 	}
 	return decideInDoubt(Predicate::InCircle, [&](auto number) {
@@ -86,12 +116,9 @@ int inCircle(const PlanarPlace& a, const PlanarPlace& b, const PlanarPlace& c,
 	});
 }
 
-int inCirclePerturbed(const std::array<PlanarPlace, 4>& places,
-                      const std::array<std::uint32_t, 4>& ranks) {
+int inCircleOnCircle(const std::array<PlanarPlace, 4>& places,
+                     const std::array<std::uint32_t, 4>& ranks) {
 	const auto& [a, b, c, d] = places;
-	if (const int sign = inCircle(a, b, c, d); sign != 0) {
-		return sign;
-	}
 	std::array<std::size_t, 4> order{0, 1, 2, 3};
 	std::sort(order.begin(), order.end(),
 	          [&ranks](std::size_t i, std::size_t j) { return ranks[i] < ranks[j]; });

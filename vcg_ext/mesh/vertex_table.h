@@ -6,6 +6,7 @@
 #pragma once
 
 #include "vcg_ext/base/index_table.h"
+#include "vcg_ext/base/mesh_types.h"
 #include "vcg_ext/exact/coordinate_hash.h"
 
 namespace index_boolean {
