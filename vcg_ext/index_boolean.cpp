@@ -21,6 +21,7 @@
 #include "vcg_ext/mesh/clean.h"
 #include "vcg_ext/solids/block_repair.h"
 #include "vcg_ext/solids/delaunay_pieces.h"
+#include "vcg_ext/solids/kept_cuts.h"
 #include "vcg_ext/solids/labels.h"
 #include "vcg_ext/solids/manifold_copies.h"
 #include "vcg_ext/solids/merge_fragments.h"
@@ -55,7 +56,9 @@ Status guarded(Body&& body) {
 // Runs stages one after another until one fails; times each.
 class Stages {
 public:
-	Stages(Monitor& monitor, std::vector<StageTime>& times) : monitor_(monitor), times_(times) {}
+	// \param done how far the progress bar is \param scale of the stages' shares of it
+	Stages(Monitor& monitor, std::vector<StageTime>& times, double done = 0, double scale = 1)
+	    : monitor_(monitor), times_(times), done_(done), scale_(scale) {}
 
 	// `share` is the stage's part of the progress bar.
 	template <class Stage>
@@ -64,8 +67,8 @@ public:
 			return;
 		}
 		using Clock = std::chrono::steady_clock;
-		monitor_.beginStage(name, done_, done_ + share);
-		done_ += share;
+		monitor_.beginStage(name, done_, done_ + scale_ * share);
+		done_ += scale_ * share;
 		const Clock::time_point start = Clock::now();
 		status_ = stage();
 		times_.push_back({name, std::chrono::duration<double>(Clock::now() - start).count()});
@@ -79,8 +82,8 @@ public:
 private:
 	Monitor& monitor_;
 	std::vector<StageTime>& times_;
+	double done_, scale_;
 	Status status_;
-	double done_ = 0;
 };
 
 Status cleanBlock(const Options& options, Monitor& monitor, Block& block) {
@@ -193,30 +196,51 @@ Status arrangeSurfaces(MeshArrays input, const Options& options, Monitor& monito
 	return arrangeFor(Purpose::Split, std::move(input), options, monitor, out);
 }
 
+namespace {
+
+constexpr double kMadeBlock = 0.95;  // of a block's progress bar
+
+// A block from the labelled arrangement to its certificate.
+void makeBlock(const Arrangement& arrangement, Operation operation,
+               const std::vector<FaceId>& keptCuts, Monitor& monitor, Stages& stages, Block& out) {
+	const Options& options = arrangement.options;
+	stages.run("blocks", 0.55, [&] {
+		const Status status = collectBlock(arrangement, operation, monitor, out);
+		out.keptCuts = keptCuts;
+		return status;
+	});
+	const bool mayChange = options.mergeCoplanar || out.anySuspect();
+	stages.run("manifold_copies", 0.1, [&] {
+		return options.weldNonManifold ? Status{} : copyNonManifold(arrangement, monitor, out);
+	});
+	stages.run("merge_fragments", 0.1, [&] { return mergeFragments(arrangement, monitor, out); });
+	stages.run("delaunay_pieces", 0.05,
+	           [&] { return makePiecesDelaunay(arrangement, monitor, out); });
+	stages.run("clean", 0.1, [&] {
+		const BlockMeasure unrepaired = measureUnrepaired(arrangement, out);
+		const Status status = finishBlock(options, monitor, out);
+		compareWithUnrepaired(arrangement, unrepaired, out);
+		return status;
+	});
+	const bool isAsCut = !mayChange && out.zeroAreaFacesRemoved == 0;
+	stages.run("certificates", 0.05,
+	           [&] { return certify(arrangement, out, {}, isAsCut, monitor, out.certificate); });
+}
+
+}  // namespace
+
 Status extractBlock(const Arrangement& arrangement, Operation operation, Monitor& monitor,
                     Block& out) {
 	return guarded([&] {
 		Stages stages(monitor, out.stageTimes);
-		const Options& options = arrangement.options;
-		stages.run("blocks", 0.55,
-		           [&] { return collectBlock(arrangement, operation, monitor, out); });
-		const bool mayChange = options.mergeCoplanar || out.anySuspect();
-		stages.run("manifold_copies", 0.1, [&] {
-			return options.weldNonManifold ? Status{} : copyNonManifold(arrangement, monitor, out);
-		});
-		stages.run("merge_fragments", 0.1,
-		           [&] { return mergeFragments(arrangement, monitor, out); });
-		stages.run("delaunay_pieces", 0.05,
-		           [&] { return makePiecesDelaunay(arrangement, monitor, out); });
-		stages.run("clean", 0.1, [&] {
-			const BlockMeasure unrepaired = measureUnrepaired(arrangement, out);
-			const Status status = finishBlock(options, monitor, out);
-			compareWithUnrepaired(arrangement, unrepaired, out);
-			return status;
-		});
-		const bool isAsCut = !mayChange && out.zeroAreaFacesRemoved == 0;
-		stages.run("certificates", 0.05, [&] {
-			return certify(arrangement, out, {}, isAsCut, monitor, out.certificate);
+		makeBlock(arrangement, operation, {}, monitor, stages, out);
+		stages.run("kept_cuts", 0, [&] {
+			const auto remake = [&](const std::vector<FaceId>& keptCuts, Block& again) {
+				Stages repeated(monitor, again.stageTimes, kMadeBlock, 0);
+				makeBlock(arrangement, operation, keptCuts, monitor, repeated, again);
+				return repeated.status();
+			};
+			return keepCutsThatHold(arrangement, remake, out);
 		});
 		stages.run("polygons", 0.05, [&] { return findFauxEdges(arrangement, {}, monitor, out); });
 		return stages.status();

@@ -39,6 +39,7 @@ STAGES = (
     "delaunay_pieces",
     "clean",
     "certificates",
+    "kept_cuts",
     "polygons",
     "audit",
     "attributes",

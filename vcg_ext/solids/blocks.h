@@ -43,12 +43,22 @@ struct Block : SourcedMesh {
 	std::size_t verticesCopied = 0;     // to pull apart where the block meets itself
 	std::vector<StageTime> stageTimes;  // of the stages that made this block
 
+	// Input faces of which no cut is merged or flipped away (kept_cuts.h), ascending; nearly always
+	// none.
+	std::vector<FaceId> keptCuts;
+
 	// For the stages that finish the block; none of it is kept up to date afterwards.
 	std::size_t firstPiece = 0;         // faces from here on lie on touched faces
 	bool anySuspectOffCurve = false;    // else faces before firstPiece have no suspect corner
 	bool isApart = false;               // the block has been pulled apart at all suspect vertices
 	std::vector<std::uint8_t> suspect;  // per point: the block may meet itself there, or a cut that
 	                                    // parts nothing may end there
+
+	// Whether all cuts of the input face of one of the faces are kept. O(log k).
+	bool keepsCutsOf(std::size_t face) const {
+		return !keptCuts.empty() &&
+		       std::binary_search(keptCuts.begin(), keptCuts.end(), faceSource[face].face);
+	}
 
 	// Whether there is one. O(n).
 	bool anySuspect() const {

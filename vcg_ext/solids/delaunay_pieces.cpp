@@ -69,6 +69,8 @@ std::vector<std::uint32_t> facesOfSuspectGroups(const Arrangement& arrangement,
                                                 const Block& block) {
 	std::vector<std::uint32_t> faces(block.triangles.size() - block.firstPiece);
 	std::iota(faces.begin(), faces.end(), static_cast<std::uint32_t>(block.firstPiece));
+	const auto keepsCuts = [&block](std::uint32_t face) { return block.keepsCutsOf(face); };
+	faces.erase(std::remove_if(faces.begin(), faces.end(), keepsCuts), faces.end());
 	if (arrangement.options.mergeCoplanar) {
 		return faces;
 	}

@@ -13,7 +13,7 @@ namespace index_boolean {
 
 // Flips edges between faces of one group (face_groups.h) until none wants to.
 // Free is an edge that two faces of the block have, counted by place: where the block meets itself
-// along it, there are more, and it stays an edge of all.
+// along it, there are more, and it stays an edge of all. Faces that keep their cuts are left alone.
 // \param block after mergeFragments; changed in place. Of faces with several sources, where
 //              polygons or planes have been joined, a flip keeps both sources, one for each face
 // \return Ok, Cancelled

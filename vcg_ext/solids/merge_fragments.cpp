@@ -111,7 +111,8 @@ private:
 	Monitor& monitor_;
 	Block& block_;
 	std::vector<std::uint8_t> isCandidate_;  // per vertex of the block
-	std::vector<std::uint8_t> isFixed_;      // per vertex of the block: an input face's corner
+	// Per vertex of the block: an input face's corner, or in a face that keeps its cuts.
+	std::vector<std::uint8_t> isFixed_;
 	std::vector<std::uint32_t> candidates_;
 	std::vector<StarFace> faces_;
 	std::vector<std::vector<std::uint32_t>> facesAt_;  // per vertex of the block; dead ones too
@@ -174,10 +175,13 @@ void Merger::collectFaces() {
 		const auto face = static_cast<std::uint32_t>(faces_.size());
 		faces_.push_back({t, 0, static_cast<std::uint32_t>(f), true});
 		const Triangle& parent = at(mesh_.triangles, block_.faceSource[f].face);
+		const bool isKept = block_.keepsCutsOf(f);
 		for (const std::uint32_t v : t) {
 			facesAt_[v].push_back(face);
-			if (std::find(parent.begin(), parent.end(), block_.vertexSource[v]) != parent.end()) {
-				isFixed_[v] = wholeBlock() ? 0 : 1;
+			const bool isCorner =
+			    std::find(parent.begin(), parent.end(), block_.vertexSource[v]) != parent.end();
+			if (isKept || (isCorner && !wholeBlock())) {
+				isFixed_[v] = 1;
 			}
 		}
 	}

@@ -17,7 +17,8 @@ namespace index_boolean {
 // of the faces stay.
 // With options.mergeCoplanar: any vertex inside a set of neighbouring faces in one plane, or inside
 // a straight line between two such sets.
-// Vertices of which the block has copies, since it touches itself there, stay.
+// Vertices of which the block has copies, since it touches itself there, stay; and those of faces
+// that keep their cuts.
 // \param block before its coordinates are cleaned; changed in place
 // \return Ok or Cancelled
 // Complexity: O(k log k) for k faces at suspect vertices, O(1) if there are none; with
