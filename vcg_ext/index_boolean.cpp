@@ -10,6 +10,7 @@
 #include "vcg_ext/arrange/loops.h"
 #include "vcg_ext/arrange/octree_pairs.h"
 #include "vcg_ext/arrange/operands.h"
+#include "vcg_ext/arrange/places.h"
 #include "vcg_ext/arrange/repair_places.h"
 #include "vcg_ext/arrange/retriangulate.h"
 #include "vcg_ext/arrange/self_intersections.h"
@@ -149,39 +150,72 @@ double largestLawResidual(const PerOperand<double>& operand, const BlockVolumes&
 // What an arrangement is for: blocks need closed operands and labels, splitting needs neither.
 enum class Purpose : std::uint8_t { Blocks, Split };
 
+void arrangeOnce(Purpose purpose, MeshArrays input, const Options& options, Monitor& monitor,
+                 Stages& stages, Arrangement& out) {
+	out.options = options;
+	out.mesh = std::move(input);
+	const bool forBlocks = purpose == Purpose::Blocks;
+	std::vector<FacePair> pairs;
+	Contacts contacts;
+	std::vector<VertexId> vertexOfName;
+	stages.run("operands", 0.2, [&] {
+		return forBlocks ? prepareOperands(out, monitor) : prepareSurfaces(out, monitor);
+	});
+	stages.run("self_intersections", 0.05, [&] { return checkSelfIntersections(out, monitor); });
+	stages.run("coincident_faces", 0.05, [&] { return findCoincidentFaces(out, monitor); });
+	stages.run("octree_pairs", 0.2, [&] { return findPairs(out.mesh, options, monitor, pairs); });
+	stages.run("triangle_contact", 0.15,
+	           [&] { return findContacts(out, pairs, monitor, contacts); });
+	stages.run("curve_points", 0.05,
+	           [&] { return numberCurvePoints(out, contacts, monitor, vertexOfName); });
+	stages.run("cut_lines", 0.05,
+	           [&] { return findCutLines(out, contacts, vertexOfName, monitor); });
+	stages.run("retriangulate", 0.08, [&] { return retriangulate(out, monitor); });
+	stages.run("repair_places", 0.02, [&] { return repairPlaces(out, monitor); });
+	stages.run("loops", 0.05, [&] { return traceLoops(out, monitor); });
+	if (forBlocks) {
+		stages.run("labels", 0.05, [&] { return labelArrangement(out, monitor); });
+		stages.run("overlap_owners", 0.05, [&] { return chooseOverlapOwners(out, monitor); });
+	}
+}
+
+// Arranges the operands as their coordinates are stored, where the arrangement of the exact ones
+// leaves faults: walls that are nearer to each other than numbers are touch then, or cross clearly.
+// \param operands rounded \param out stays if that is no better, or they are no operands
+Status arrangeRounded(Purpose purpose, MeshArrays operands, Monitor& monitor, Arrangement& out) {
+	Options options = out.options;
+	options.checkSelfIntersections = true;
+	Arrangement rounded;
+	Stages stages(monitor, rounded.stageTimes, 1, 0);
+	arrangeOnce(purpose, std::move(operands), options, monitor, stages, rounded);
+	const StatusCode code = stages.status().code;
+	if (code == StatusCode::Cancelled || code == StatusCode::OutOfMemory) {
+		return stages.status();
+	}
+	if (code == StatusCode::Ok && rounded.placeRepair.faultsAfter < out.placeRepair.faultsAfter) {
+		for (std::size_t i = 0; i < rounded.stageTimes.size(); ++i) {
+			rounded.stageTimes[i].seconds += out.stageTimes[i].seconds;
+		}
+		rounded.options = out.options;
+		out = std::move(rounded);
+	}
+	return {};
+}
+
 Status arrangeFor(Purpose purpose, MeshArrays input, const Options& options, Monitor& monitor,
                   Arrangement& out) {
 	return guarded([&] {
 		out = Arrangement{};
-		out.options = options;
-		out.mesh = std::move(input);
-		const bool forBlocks = purpose == Purpose::Blocks;
-		std::vector<FacePair> pairs;
-		Contacts contacts;
-		std::vector<VertexId> vertexOfName;
-		Stages stages(monitor, out.stageTimes);
-		stages.run("operands", 0.2, [&] {
-			return forBlocks ? prepareOperands(out, monitor) : prepareSurfaces(out, monitor);
-		});
-		stages.run("self_intersections", 0.05,
-		           [&] { return checkSelfIntersections(out, monitor); });
-		stages.run("coincident_faces", 0.05, [&] { return findCoincidentFaces(out, monitor); });
-		stages.run("octree_pairs", 0.2,
-		           [&] { return findPairs(out.mesh, options, monitor, pairs); });
-		stages.run("triangle_contact", 0.15,
-		           [&] { return findContacts(out, pairs, monitor, contacts); });
-		stages.run("curve_points", 0.05,
-		           [&] { return numberCurvePoints(out, contacts, monitor, vertexOfName); });
-		stages.run("cut_lines", 0.05,
-		           [&] { return findCutLines(out, contacts, vertexOfName, monitor); });
-		stages.run("retriangulate", 0.08, [&] { return retriangulate(out, monitor); });
-		stages.run("repair_places", 0.02, [&] { return repairPlaces(out, monitor); });
-		stages.run("loops", 0.05, [&] { return traceLoops(out, monitor); });
-		if (forBlocks) {
-			stages.run("labels", 0.05, [&] { return labelArrangement(out, monitor); });
-			stages.run("overlap_owners", 0.05, [&] { return chooseOverlapOwners(out, monitor); });
+		MeshArrays rounded;
+		if (options.certify && !isStoredExactly(input.points, options.outputScalar)) {
+			rounded = input;
+			roundPlaces(options.outputScalar, rounded.points);
 		}
-		return stages.status();
+		Stages stages(monitor, out.stageTimes);
+		arrangeOnce(purpose, std::move(input), options, monitor, stages, out);
+		return stages.status().ok() && out.placeRepair.faultsAfter > 0 && !rounded.points.empty()
+		           ? arrangeRounded(purpose, std::move(rounded), monitor, out)
+		           : stages.status();
 	});
 }
 

@@ -98,6 +98,22 @@ bool isStoredExactly(const Arrangement& arrangement, VertexId vertex) {
 	                   [scalar](double x) { return inScalar(x, scalar) == x; });
 }
 
+bool isStoredExactly(const Points& points, OutputScalar scalar) {
+	return scalar == OutputScalar::Double ||
+	       std::all_of(points.begin(), points.end(), [scalar](const Point& p) {
+		       return inScalar(p[0], scalar) == p[0] && inScalar(p[1], scalar) == p[1] &&
+		              inScalar(p[2], scalar) == p[2];
+	       });
+}
+
+void roundPlaces(OutputScalar scalar, Points& points) {
+	for (Point& p : points) {
+		for (double& x : p) {
+			x = inScalar(x, scalar);
+		}
+	}
+}
+
 double inScalar(double x, OutputScalar scalar) {
 	return scalar == OutputScalar::Double ? x : nearestFloat(x);
 }

@@ -34,6 +34,11 @@ bool isStoredExactly(const Arrangement& arrangement, VertexId vertex);
 double inScalar(double x, OutputScalar scalar);
 double gapAt(double x, OutputScalar scalar);
 
+// Whether a scalar holds all coordinates of some points, and these points in it.
+// Complexity: O(n), O(1) for doubles.
+bool isStoredExactly(const Points& points, OutputScalar scalar);
+void roundPlaces(OutputScalar scalar, Points& points);
+
 // The exact place of a vertex, rounded once to the output scalar. Complexity: O(1).
 Point roundedPlace(const Arrangement& arrangement, VertexId vertex);
 
