@@ -339,9 +339,25 @@ void StoredFaults::removeFaults(std::uint32_t face) {
 	}
 	const std::vector<std::uint32_t> others(it->second.begin(), it->second.end());
 	for (const std::uint32_t other : others) {
-		pairsRemoved_.push_back({{face}, {other}});
+		pairsRemoved_.push_back({{std::min(face, other)}, {std::max(face, other)}});
 		removePair(face, other);
 	}
+}
+
+bool StoredFaults::meetWrongly(const FacePair& pair) const {
+	return !arePartedFaces(view_, pair) && meetingOf(view_, pair) != Meeting::Proper;
+}
+
+// How many of the pairs that have been removed will come again.
+// \pre which touched faces have no area is known
+std::size_t StoredFaults::countLasting() const {
+	const auto hasGone = [this](FaceId face) {
+		return stands_[face.value] == 0 || zeroAreaFaces_.count(face.value) != 0;
+	};
+	return static_cast<std::size_t>(
+	    std::count_if(pairsRemoved_.begin(), pairsRemoved_.end(), [&](const FacePair& pair) {
+		    return !hasGone(pair.a) && !hasGone(pair.b) && meetWrongly(pair);
+	    }));
 }
 
 // The pairs of a touched face that stands; with another touched one, if it comes first.
@@ -357,7 +373,7 @@ void StoredFaults::addFaults(std::uint32_t face) {
 			continue;
 		}
 		const FacePair pair{{std::min(face, other)}, {std::max(face, other)}};
-		if (!arePartedFaces(view_, pair) && meetingOf(view_, pair) != Meeting::Proper) {
+		if (meetWrongly(pair)) {
 			pairsAdded_.push_back(pair);
 			addPair(pair.a.value, pair.b.value);
 		}
@@ -395,11 +411,12 @@ bool StoredFaults::settle() {
 			zeroAreaAdded_.push_back(face);
 		}
 	}
-	for (std::size_t i = 0; i < touched_.size() && count() < before && !pollCancelled(monitor_);
-	     ++i) {
+	// Most trials are no good, and the faults that there were tell it soonest.
+	bool isBetter = count() < before && count() + countLasting() < before;
+	for (std::size_t i = 0; i < touched_.size() && isBetter; ++i) {
 		addFaults(touched_[i]);
+		isBetter = count() < before && !pollCancelled(monitor_);
 	}
-	const bool isBetter = count() < before && !pollCancelled(monitor_);
 	if (!isBetter) {
 		undo();
 	}

@@ -72,6 +72,8 @@ private:
 	bool areUnited(std::uint32_t from, std::uint32_t to, std::uint32_t inClass) const;
 	bool cancel(std::uint32_t a, std::uint32_t b) const;
 	void removeFaults(std::uint32_t face);
+	bool meetWrongly(const FacePair& pair) const;
+	std::size_t countLasting() const;
 	void addFaults(std::uint32_t face);
 	void addPair(std::uint32_t a, std::uint32_t b);
 	void removePair(std::uint32_t a, std::uint32_t b);
