@@ -87,9 +87,12 @@ private:
 	Status status_;
 };
 
-Status cleanBlock(const Options& options, Monitor& monitor, Block& block) {
-	// In double only pieces have rounded corners; in float every face may have.
-	const bool piecesOnly = options.outputScalar == OutputScalar::Double;
+Status cleanBlock(const Arrangement& arrangement, Monitor& monitor, Block& block) {
+	// In double only pieces have rounded corners, unless the repair has moved others; in float
+	// every face may have.
+	const Options& options = arrangement.options;
+	const bool piecesOnly =
+	    options.outputScalar == OutputScalar::Double && !anyInputMoved(arrangement);
 	const FaceRange range{piecesOnly ? block.firstPiece : 0, block.triangles.size()};
 	CleanResult cleaned;
 	const Status status =
@@ -111,8 +114,9 @@ Status cleanBlock(const Options& options, Monitor& monitor, Block& block) {
 
 // Cleaning may join sheets that were apart, and without doubt only the stored coordinates tell
 // which edges are too short for what.
-Status finishBlock(const Options& options, Monitor& monitor, Block& block) {
-	const Status status = cleanBlock(options, monitor, block);
+Status finishBlock(const Arrangement& arrangement, Monitor& monitor, Block& block) {
+	const Options& options = arrangement.options;
+	const Status status = cleanBlock(arrangement, monitor, block);
 	return status.ok() && !options.weldNonManifold
 	           ? copyNonManifoldAsStored(options.outputScalar, monitor, block)
 	           : status;
@@ -252,7 +256,7 @@ void makeBlock(const Arrangement& arrangement, Operation operation,
 	           [&] { return makePiecesDelaunay(arrangement, monitor, out); });
 	stages.run("clean", 0.1, [&] {
 		const BlockMeasure unrepaired = measureUnrepaired(arrangement, out);
-		const Status status = finishBlock(options, monitor, out);
+		const Status status = finishBlock(arrangement, monitor, out);
 		compareWithUnrepaired(arrangement, unrepaired, out);
 		return status;
 	});

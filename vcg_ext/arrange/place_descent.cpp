@@ -6,6 +6,7 @@
 
 #include "vcg_ext/arrange/places.h"
 #include "vcg_ext/base/parallel.h"
+#include "vcg_ext/base/sorted_list.h"
 #include "vcg_ext/base/union_find.h"
 
 #include <algorithm>
@@ -33,10 +34,14 @@ bool PlaceDescent::isInput(std::uint32_t vertex) const {
 	return !arrangement_.isCurvePoint(nameOf(vertex));
 }
 
-// An input vertex that the output scalar can hold stays where it is.
-bool PlaceDescent::isFixed(std::uint32_t vertex) const {
+// Whether it is an input vertex that the output scalar can hold.
+bool PlaceDescent::isHeld(std::uint32_t vertex) const {
 	const VertexId v = nameOf(vertex);
 	return isInput(vertex) && roundedPlace(arrangement_, v) == arrangement_.coordinates(v);
+}
+
+bool PlaceDescent::isFixed(std::uint32_t vertex) const {
+	return faults_.surface().isWhole[vertex] == 0 || (!mayMoveInputs_ && isHeld(vertex));
 }
 
 bool PlaceDescent::mayBeAt(std::uint32_t vertex, const Point& place) const {
@@ -88,7 +93,9 @@ std::vector<PlaceDescent::Move>
 PlaceDescent::movesToOne(const std::vector<std::uint32_t>& vertices) const {
 	std::uint32_t target = vertices.front();
 	for (const std::uint32_t v : vertices) {
-		const auto rank = [this](std::uint32_t u) { return isFixed(u) ? 0 : isInput(u) ? 1 : 2; };
+		const auto rank = [this](std::uint32_t u) {
+			return isFixed(u) ? 0 : isHeld(u) ? 1 : isInput(u) ? 2 : 3;
+		};
 		if (rank(v) != rank(target) ? rank(v) < rank(target)
 		                            : faults_.place(v) < faults_.place(target)) {
 			target = v;
@@ -198,10 +205,12 @@ bool PlaceDescent::moveOne(const Cluster& cluster, double reach) {
 }
 
 bool PlaceDescent::improve(const Cluster& cluster, double reach, Kind kind) {
-	constexpr std::size_t kMostTrials = 600;  // so that others have their turn
+	constexpr std::size_t kMostTrials = 1000;  // so that others have their turn
 	mostTrials_ = arrangement_.placeRepair.trials + kMostTrials;
-	return kind == Kind::Join ? join(cluster, reach)
-	                          : joinPairs(cluster, reach) || moveOne(cluster, reach);
+	mayMoveInputs_ = kind == Kind::JoinInputs || kind == Kind::MoveInputs;
+	return kind == Kind::Join || kind == Kind::JoinInputs
+	           ? join(cluster, reach)
+	           : joinPairs(cluster, reach) || moveOne(cluster, reach);
 }
 
 // Ranks the corners of faces in the order of their exact places. Comparing takes long, so each is
@@ -225,15 +234,40 @@ void PlaceDescent::rankVertices(const std::vector<std::uint32_t>& faces) {
 	}
 }
 
+// How many faults the faces at a vertex have; those that two of them have count twice.
+std::size_t PlaceDescent::faultsAt(std::uint32_t vertex) const {
+	std::size_t count = 0;
+	for (const std::uint32_t face : faults_.facesAt(vertex)) {
+		const auto* partners = faults_.partnersOf(face);
+		count += partners != nullptr ? partners->size() : faults_.isConcerned(face) ? 1 : 0;
+	}
+	return count;
+}
+
+// Those with most faults come first, since few trials are left for the last of many.
 void PlaceDescent::sortVertices(Cluster& cluster) const {
+	std::vector<std::uint32_t> vertices;
 	for (const std::uint32_t face : cluster.faces) {
 		const IndexTriangle& t = faults_.surface().corners[face];
-		cluster.vertices.insert(cluster.vertices.end(), t.begin(), t.end());
+		vertices.insert(vertices.end(), t.begin(), t.end());
 	}
-	std::sort(cluster.vertices.begin(), cluster.vertices.end(),
-	          [this](std::uint32_t a, std::uint32_t b) { return rankOf_[a] < rankOf_[b]; });
-	cluster.vertices.erase(std::unique(cluster.vertices.begin(), cluster.vertices.end()),
-	                       cluster.vertices.end());
+	sortUnique(vertices);
+	struct Order {
+		std::size_t faults;
+		std::uint32_t rank, vertex;
+	};
+	std::vector<Order> order;
+	cluster.firstRank = rankOf_[vertices[0]];
+	for (const std::uint32_t v : vertices) {
+		order.push_back({faultsAt(v), rankOf_[v], v});
+		cluster.firstRank = std::min(cluster.firstRank, rankOf_[v]);
+	}
+	std::sort(order.begin(), order.end(), [](const Order& a, const Order& b) {
+		return a.faults != b.faults ? a.faults > b.faults : a.rank < b.rank;
+	});
+	for (const Order& o : order) {
+		cluster.vertices.push_back(o.vertex);
+	}
 }
 
 // Faces that meet wrongly, or have a place in common, are of one cluster. In the order of places.
@@ -265,9 +299,8 @@ std::vector<PlaceDescent::Cluster> PlaceDescent::clusters() {
 		sortVertices(cluster);
 		list.push_back(std::move(cluster));
 	}
-	std::sort(list.begin(), list.end(), [this](const Cluster& a, const Cluster& b) {
-		return rankOf_[a.vertices[0]] < rankOf_[b.vertices[0]];
-	});
+	std::sort(list.begin(), list.end(),
+	          [this](const Cluster& a, const Cluster& b) { return a.firstRank < b.firstRank; });
 	return list;
 }
 
@@ -305,7 +338,9 @@ Status PlaceDescent::run() {
 	report.faultsBefore = faults_.count();
 	double steps = 1;
 	while (steps <= kMostSteps && !isDone()) {
-		if (!runRound(steps * unit_, Kind::Join) && !runRound(steps * unit_, Kind::Move)) {
+		const auto isBetter = [&](Kind kind) { return runRound(steps * unit_, kind); };
+		if (!isBetter(Kind::Join) && !isBetter(Kind::Move) && !isBetter(Kind::JoinInputs) &&
+		    !isBetter(Kind::MoveInputs)) {
 			steps *= 2;
 			failed_ = {};
 		}

@@ -3,7 +3,7 @@
 //
 // in: faults; out: fewer of them, by joining vertices that are stored near each other and by moving
 // single ones, each with the flips that it causes. Guarantee: a trial stays only if the number of
-// faults falls with it, so it ends; the order of trials depends on exact places only.
+// faults falls with it, so it ends; the order of trials depends on exact places and faults only.
 #pragma once
 
 #include "vcg_ext/arrange/piece_patches.h"
@@ -37,19 +37,24 @@ private:
 		std::uint32_t vertex;
 		Point place;
 	};
-	// Faces concerned that hang together, and their corners in the order of exact places.
+	// Faces concerned that hang together, and their corners in the order in which they are tried;
+	// the rank of the one whose exact place comes first.
 	struct Cluster {
 		std::vector<std::uint32_t> faces, vertices;
+		std::uint32_t firstRank = 0;
 	};
 
 	// What is tried: to join all vertices that are near each other, which takes few trials, then
-	// two of them, or to move one.
-	enum class Kind : std::uint8_t { Join, Move };
+	// two of them, or to move one; at last the same with input vertices that the output scalar can
+	// hold.
+	enum class Kind : std::uint8_t { Join, Move, JoinInputs, MoveInputs };
+	static constexpr std::size_t kKindCount = 4;
 
 	bool isDone() const;
 	bool runRound(double reach, Kind kind);
 	std::vector<Cluster> clusters();
 	void rankVertices(const std::vector<std::uint32_t>& faces);
+	std::size_t faultsAt(std::uint32_t vertex) const;
 	void sortVertices(Cluster& cluster) const;
 	bool isStale(const Cluster& cluster) const;
 	bool improve(const Cluster& cluster, double reach, Kind kind);
@@ -63,6 +68,7 @@ private:
 	bool areNear(std::uint32_t a, std::uint32_t b, double reach) const;
 	bool isInput(std::uint32_t vertex) const;
 	bool isFixed(std::uint32_t vertex) const;
+	bool isHeld(std::uint32_t vertex) const;
 	bool mayBeAt(std::uint32_t vertex, const Point& place) const;
 	VertexId nameOf(std::uint32_t vertex) const { return faults_.surface().vertices[vertex]; }
 
@@ -71,11 +77,12 @@ private:
 	double unit_;
 	Monitor& monitor_;
 	PiecePatches patches_;
-	std::size_t mostTrials_ = 0;          // until the cluster's turn ends
+	std::size_t mostTrials_ = 0;  // until the cluster's turn ends
+	bool mayMoveInputs_ = false;
 	std::vector<std::uint8_t> isRanked_;  // per vertex of the surface
 	std::vector<std::uint32_t> rankOf_, ranked_;
 	// Per kind: clusters, by their faces, that are no better for it at this reach.
-	std::array<std::set<std::vector<std::uint32_t>>, 2> failed_;
+	std::array<std::set<std::vector<std::uint32_t>>, kKindCount> failed_;
 };
 
 }  // namespace index_boolean

@@ -89,7 +89,8 @@ int comparePlaces(const Arrangement& arrangement, VertexId a, VertexId b) {
 }
 
 bool isStoredExactly(const Arrangement& arrangement, VertexId vertex) {
-	if (arrangement.isCurvePoint(vertex)) {
+	const auto& moved = arrangement.movedPlaces;
+	if (arrangement.isCurvePoint(vertex) || (!moved.empty() && moved.count(vertex) != 0)) {
 		return false;
 	}
 	const Point& place = at(arrangement.mesh.points, vertex);

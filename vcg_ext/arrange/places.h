@@ -25,9 +25,15 @@ ExactPoint exactPoint(const Arrangement& arrangement, VertexId vertex);
 // Complexity: O(1); a few comparisons unless the places are nearly the same.
 int comparePlaces(const Arrangement& arrangement, VertexId a, VertexId b);
 
-// Whether the output scalar holds the exact place of a vertex for sure: that of an input vertex, if
-// its coordinates are numbers of that scalar. Complexity: O(1).
+// Whether a vertex is stored in its exact place for sure: an input vertex that has not been moved,
+// if its coordinates are numbers of the output scalar. Complexity: O(log m) for m moved places.
 bool isStoredExactly(const Arrangement& arrangement, VertexId vertex);
+
+// Whether any input vertex is not stored where it was given, in double. Complexity: O(1).
+inline bool anyInputMoved(const Arrangement& arrangement) {
+	const auto& moved = arrangement.movedPlaces;  // input vertices come first
+	return !moved.empty() && !arrangement.isCurvePoint(moved.begin()->first);
+}
 
 // A number in a scalar, and how far the next larger one of that scalar is from its size; from the
 // largest one, the next smaller. Complexity: O(1).

@@ -43,6 +43,8 @@ private:
 		return arrangement_.refinement.isCut[face] == 0 && !isTwin;
 	}
 	Status lookAtInputs();
+	void addBox(const Triangle& t);
+	void markMovable();
 	void listBoxes();
 	Status listUncut();
 	void numberVertices();
@@ -56,10 +58,12 @@ private:
 	Monitor& monitor_;
 	StoredSurface& out_;
 	bool areInputsRounded_ = false;
-	std::vector<BoundingBox> boxes_;    // of suspect pieces
-	std::vector<std::uint32_t> uncut_;  // faces
-	HugeVector<std::uint32_t> number_;  // per vertex of the arrangement that is used
-	Points places_;                     // per vertex of the surface
+	bool areAll_ = false;                 // all uncut faces are taken
+	HugeVector<std::uint8_t> isMovable_;  // per input vertex: a piece's corner; or empty
+	std::vector<BoundingBox> boxes_;      // of suspect faces; also of those at movable vertices
+	std::vector<std::uint32_t> uncut_;    // faces
+	HugeVector<std::uint32_t> number_;    // per vertex of the arrangement that is used
+	Points places_;                       // per vertex of the surface
 };
 
 Status Collector::lookAtInputs() {
@@ -82,34 +86,59 @@ Status Collector::lookAtInputs() {
 	return status;
 }
 
-// The box of each suspect piece, with the reach. It stays finite.
-void Collector::listBoxes() {
+// With the reach. It stays finite.
+void Collector::addBox(const Triangle& t) {
 	constexpr double kMost = std::numeric_limits<double>::max();
+	BoundingBox box = emptyBox();
+	for (const VertexId v : t) {
+		box.add(outputCoordinates(arrangement_, v));
+	}
+	for (std::size_t axis = 0; axis < 3; ++axis) {
+		box.lo[axis] = std::max(box.lo[axis] - reach_, -kMost);
+		box.hi[axis] = std::min(box.hi[axis] + reach_, kMost);
+	}
+	boxes_.push_back(box);
+}
+
+void Collector::markMovable() {
+	isMovable_.assign(arrangement_.mesh.points.size(), 0);
 	for (const Triangle& t : arrangement_.refinement.pieces) {
-		if (!isSuspect(t)) {
-			continue;
-		}
-		BoundingBox box = emptyBox();
 		for (const VertexId v : t) {
-			box.add(outputCoordinates(arrangement_, v));
+			if (!arrangement_.isCurvePoint(v)) {
+				at(isMovable_, v) = 1;
+			}
 		}
-		for (std::size_t axis = 0; axis < 3; ++axis) {
-			box.lo[axis] = std::max(box.lo[axis] - reach_, -kMost);
-			box.hi[axis] = std::min(box.hi[axis] + reach_, kMost);
+	}
+}
+
+void Collector::listBoxes() {
+	for (const Triangle& t : arrangement_.refinement.pieces) {
+		if (isSuspect(t) || !isMovable_.empty()) {
+			addBox(t);
 		}
-		boxes_.push_back(box);
+	}
+	const Triangles& triangles = arrangement_.mesh.triangles;
+	for (std::size_t f = 0; f < triangles.size() && !isMovable_.empty(); ++f) {
+		const Triangle& t = triangles[f];
+		if (isTaken(f) && std::any_of(t.begin(), t.end(),
+		                              [this](VertexId v) { return at(isMovable_, v) != 0; })) {
+			addBox(t);
+		}
 	}
 }
 
 Status Collector::listUncut() {
 	const MeshArrays& mesh = arrangement_.mesh;
-	const bool areFew = mesh.triangles.size() <= arrangement_.refinement.pieces.size();
-	if (areInputsRounded_ || areFew) {
+	areAll_ = areInputsRounded_ || mesh.triangles.size() <= arrangement_.refinement.pieces.size();
+	if (areAll_) {
 		uncut_.resize(mesh.triangles.size());
 		for (std::size_t f = 0; f < uncut_.size(); ++f) {
 			uncut_[f] = static_cast<std::uint32_t>(f);
 		}
 	} else {
+		if (reach_ > 0) {
+			markMovable();
+		}
 		listBoxes();
 		const FacesView faces(mesh.points, mesh.triangles.data(), mesh.triangles.size());
 		const Status status =
@@ -144,6 +173,9 @@ void Collector::numberVertices() {
 			if ((used[word] & 1U) != 0) {
 				number_[v] = static_cast<std::uint32_t>(out_.vertices.size());
 				out_.vertices.push_back(makeId<VertexTag>(v));
+				const bool isInput = v < mesh.points.size();
+				const bool isMovable = isInput && !isMovable_.empty() && isMovable_[v] != 0;
+				out_.isWhole.push_back(!isInput || areAll_ || isMovable ? 1 : 0);
 			}
 		}
 	}

@@ -20,12 +20,14 @@ namespace index_boolean {
 // Uncut faces come first, then all pieces of the arrangement, in their order. Of quiet twins only
 // the first operand's is here; of twin pieces, both.
 struct StoredSurface {
-	std::vector<VertexId> vertices;       // ascending
-	std::vector<std::uint32_t> placeOf;   // per vertex
-	Points places;                        // each once, at first
-	IndexTriangles corners;               // per face: its vertices
-	IndexTriangles stored;                // per face: its places
-	std::vector<FaceId> inputFaces;       // per face: that it is or is a piece of
+	std::vector<VertexId> vertices;      // ascending
+	std::vector<std::uint32_t> placeOf;  // per vertex
+	std::vector<std::uint8_t> isWhole;   // per vertex: all faces at it are here, and all that they
+	                                     // may meet, with the reach; else it must stay in its place
+	Points places;                       // each once, at first
+	IndexTriangles corners;              // per face: its vertices
+	IndexTriangles stored;               // per face: its places
+	std::vector<FaceId> inputFaces;      // per face: that it is or is a piece of
 	std::vector<std::uint8_t> isSuspect;  // per face
 	std::size_t firstPiece = 0;           // face firstPiece + i is piece i
 	bool anySuspect = false;
@@ -33,7 +35,8 @@ struct StoredSurface {
 
 // Collects the faces.
 // \param reach how far from suspect faces those that may meet them are looked for, in the unit of
-//              the operands' coordinates; not negative
+//              the operands' coordinates; not negative. If it is positive, faces at the corners of
+//              pieces are as good as suspect, so that those corners may be moved
 // \param out   replaced; has no face, and anySuspect is false, if nothing is rounded
 // \return Ok, Cancelled or OutOfMemory. Complexity: O(n) for n faces, in parallel, and O(s) for s
 // pieces and faces near them.
