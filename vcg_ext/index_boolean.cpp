@@ -27,6 +27,7 @@
 #include "vcg_ext/solids/manifold_copies.h"
 #include "vcg_ext/solids/merge_fragments.h"
 #include "vcg_ext/solids/overlap_owners.h"
+#include "vcg_ext/solids/turned_components.h"
 
 #include <algorithm>
 #include <chrono>
@@ -87,16 +88,19 @@ private:
 	Status status_;
 };
 
-Status cleanBlock(const Arrangement& arrangement, Monitor& monitor, Block& block) {
-	// In double only pieces have rounded corners, unless the repair has moved others; in float
-	// every face may have.
-	const Options& options = arrangement.options;
+// The faces before it have no rounded corner. In double only pieces have, unless the repair has
+// moved others; in float every face may have.
+std::size_t firstRounded(const Arrangement& arrangement, const Block& block) {
 	const bool piecesOnly =
-	    options.outputScalar == OutputScalar::Double && !anyInputMoved(arrangement);
-	const FaceRange range{piecesOnly ? block.firstPiece : 0, block.triangles.size()};
+	    arrangement.options.outputScalar == OutputScalar::Double && !anyInputMoved(arrangement);
+	return piecesOnly ? block.firstPiece : 0;
+}
+
+Status cleanBlock(const Arrangement& arrangement, Monitor& monitor, Block& block) {
+	const FaceRange range{firstRounded(arrangement, block), block.triangles.size()};
 	CleanResult cleaned;
-	const Status status =
-	    cleanMesh(range, options.threads, monitor, block.points, block.triangles, cleaned);
+	const Status status = cleanMesh(range, arrangement.options.threads, monitor, block.points,
+	                                block.triangles, cleaned);
 	if (status.ok()) {
 		block.zeroAreaFacesRemoved = cleaned.zeroAreaFacesRemoved;
 		if (block.isApart) {  // it stays so where nothing is cleaned
@@ -116,10 +120,14 @@ Status cleanBlock(const Arrangement& arrangement, Monitor& monitor, Block& block
 // which edges are too short for what.
 Status finishBlock(const Arrangement& arrangement, Monitor& monitor, Block& block) {
 	const Options& options = arrangement.options;
-	const Status status = cleanBlock(arrangement, monitor, block);
-	return status.ok() && !options.weldNonManifold
-	           ? copyNonManifoldAsStored(options.outputScalar, monitor, block)
-	           : status;
+	const std::size_t first = firstRounded(arrangement, block);  // cleaning leaves those before it
+	return inOrder([&] { return cleanBlock(arrangement, monitor, block); },
+	               [&] {
+		               return options.weldNonManifold
+		                          ? Status{}
+		                          : copyNonManifoldAsStored(options.outputScalar, monitor, block);
+	               },
+	               [&] { return dropTurnedComponents(arrangement, first, monitor, block); });
 }
 
 // The volume of each operation's block, NaN if it was not delivered.

@@ -215,6 +215,7 @@ struct PlaceRepair {
 	std::size_t faultsBefore = 0, faultsAfter = 0;        // pairs and zero-area faces
 	std::size_t rounds = 0;                               // over all clusters of such faces
 	std::size_t trials = 0;
+	double unit = 0;         // the scalar's step at the largest coordinate, if any trial was made
 	double largestMove = 0;  // how far a vertex is stored from its correctly rounded place
 	bool areFacesFine =
 	    false;               // searched: no two of all faces meet wrongly as stored, none is flat

@@ -78,6 +78,7 @@ Status descend(Arrangement& arrangement, Monitor& monitor) {
 	if (!status.ok()) {
 		return status;
 	}
+	arrangement.placeRepair.unit = unit;
 	StoredFaults faults(arrangement, surface, findClasses(arrangement, surface), monitor);
 	status = faults.find();
 	if (status.ok()) {

@@ -11,7 +11,6 @@
 #include "vcg_ext/solids/nesting.h"
 
 #include "vcg_ext/exact/exact_sign.h"
-#include "vcg_ext/parts/winding_rays.h"
 #include "vcg_ext/solids/faces_to_blame.h"
 
 namespace index_boolean {
@@ -71,14 +70,13 @@ std::vector<int> volumeSigns(const MeshArrays& mesh, OperandId operand, const Co
 	return signs;
 }
 
-// Whether the operand's winding number is 0 or 1 on both sides of a place on a component.
+}  // namespace
+
 bool isPlacedRight(const WindingQuery& others, int volumeSign) {
 	const int ownBehind = volumeSign > 0 ? 1 : 0;
 	const int behind = others.behind + ownBehind, inFront = others.inFront + ownBehind - 1;
 	return volumeSign != 0 && behind >= 0 && behind <= 1 && inFront >= 0 && inFront <= 1;
 }
-
-}  // namespace
 
 Status checkNesting(const Arrangement& arrangement, OperandId operand, const Components& components,
                     Monitor& monitor) {
