@@ -25,7 +25,7 @@ double distance(const Point& a, const Point& b) {
 }  // namespace
 
 bool PlaceDescent::isDone() const {
-	constexpr std::size_t kMostTrials = 60000, kMostWork = 20000000;  // faces
+	constexpr std::size_t kMostTrials = 60000, kMostWork = 4000000;  // faces
 	return faults_.count() == 0 || arrangement_.placeRepair.trials >= kMostTrials ||
 	       faults_.work() >= kMostWork || pollCancelled(monitor_);
 }

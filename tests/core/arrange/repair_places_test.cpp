@@ -330,11 +330,30 @@ TEST(RepairPlaces, isTheSameWithOperandsSwapped) {
 	}
 }
 
-TEST(RepairPlaces, givesUpWhereTooMuchIsWrong) {
+// Walls nearer to each other than floats are touch as floats.
+TEST(RepairPlaces, operandsAreRoundedFirstWhereThatHelps) {
 	const Mesh ball = sphere(40, {0, 0, 0}, 1);
 	Options options;
-	options.outputScalar = OutputScalar::Float;  // both have the same places
+	options.outputScalar = OutputScalar::Float;
 	const BooleanRun r = run(ball, movedBy(ball, 1e-9), options);
+	ASSERT_TRUE(r.status.ok()) << describe(r.status);
+	EXPECT_EQ(r.arrangement.placeRepair.faultsAfter, 0U);
+	EXPECT_FALSE(r.arrangement.options.checkSelfIntersections);
+	for (const Point& p : r.arrangement.mesh.points) {
+		EXPECT_EQ(p[0], static_cast<float>(p[0]));
+	}
+	for (const Block& block : r.blocks) {
+		EXPECT_EQ(block.certificate.count(), 0);
+	}
+}
+
+TEST(RepairPlaces, givesUpWhereTooMuchIsWrong) {
+	const Mesh ball = sphere(40, {0, 0, 0}, 1);
+	Mesh turned = ball;
+	for (Point& p : turned.points) {
+		p = {p[0] - 1e-15 * p[1], p[1] + 1e-15 * p[0], p[2]};
+	}
+	const BooleanRun r = run(ball, turned);
 	ASSERT_TRUE(r.status.ok()) << describe(r.status);
 	const PlaceRepair& report = r.arrangement.placeRepair;
 	EXPECT_TRUE(report.isGivenUp);
