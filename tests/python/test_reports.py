@@ -36,12 +36,15 @@ def load(name):
     return [(arrays["V" + key], arrays["F" + key].astype(np.int32)) for key in keys]
 
 
-def tolerance(mesh, operands, scalar, largest_move):
-    """How far a volume may be off: an ulp over the area, and what repair says that it moved."""
+def tolerance(operands, scalar, largest_move):
+    """How far a volume may be off: an ulp over the area, and what repair says that it moved.
+
+    A film between two walls may vanish wholly: it is the operands' area that counts."""
     if scalar == "host":
         return 1e-9 * sum(mesh_laws.volume(*operand) for operand in operands)
     ulp = np.spacing(np.float32(max(np.abs(operand[0]).max() for operand in operands)))
-    return mesh_laws.area(*mesh) * (float(ulp) + largest_move)
+    area = sum(mesh_laws.area(*operand) for operand in operands)
+    return area * (float(ulp) + largest_move)
 
 
 def certified(first, second, blocks, scalar):
@@ -53,9 +56,8 @@ def certified(first, second, blocks, scalar):
         assert not verdict.wrong, f"{block}: {verdict}"
         assert made["result"][f"{block}_self_intersections"] == 0
         expected = mesh_laws.volume(*oracles.libigl_block(block, *first, *second))
-        allowed = tolerance(
-            made[block], (first, second), scalar, made["result"][f"{block}_largest_move"]
-        )
+        largest_move = made["result"][f"{block}_largest_move"]
+        allowed = tolerance((first, second), scalar, largest_move)
         assert abs(mesh_laws.volume(*made[block]) - expected) <= allowed, block
     return made
 
@@ -75,7 +77,8 @@ def test_eachBlockHoldsAndIsAnOperandAgain(name, scalar):
     made = certified(first, second, BLOCKS, scalar)
     union, common, difference = PAIRS[name]
     for block, volume in zip(BLOCKS, (union, common, difference)):
-        assert mesh_laws.volume(*made[block]) == pytest.approx(volume, rel=1e-6)
+        near = pytest.approx(volume, rel=1e-6 if scalar == "host" else 1e-4)
+        assert mesh_laws.volume(*made[block]) == near
     for block in BLOCKS:
         for shift in SHIFTS:
             other = plain_solids.shifted(first, shift)
