@@ -35,7 +35,9 @@ std::vector<FaceId> allCutFaces(const Refinement& refinement) {
 
 Status keepCutsThatHold(const Arrangement& arrangement, const RemakeBlock& remake, Block& block) {
 	const Options& options = arrangement.options;
-	if (block.certificate.faces.empty() || !(options.mergeFragments || options.mergeCoplanar)) {
+	const bool isMergingToBlame = (options.mergeFragments || options.mergeCoplanar) &&
+	                              arrangement.placeRepair.faultsAfter == 0;
+	if (block.certificate.faces.empty() || !isMergingToBlame) {
 		return {};
 	}
 	std::vector<FaceId> kept;

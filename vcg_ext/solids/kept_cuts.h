@@ -21,7 +21,8 @@ using RemakeBlock = std::function<Status(const std::vector<FaceId>& keptCuts, Bl
 // there are such faces, a few times; then all cuts. What holds best stays.
 // \param block certified; replaced by a better one, if there is one, but for its stages' times
 // \return Ok, or what `remake` returns. Throws std::bad_alloc.
-// Complexity: O(1) if the block holds or merges nothing, else that of making it a few times.
+// Complexity: O(1) if the block holds or merges nothing, or if not all pieces hold; else that of
+// making it a few times.
 Status keepCutsThatHold(const Arrangement& arrangement, const RemakeBlock& remake, Block& block);
 
 }  // namespace index_boolean

@@ -13,7 +13,8 @@
 
 namespace index_boolean {
 
-// Drops such components, and counts them as vanished. Does nothing unless options.certify is set.
+// Drops such components, and counts them as vanished. Does nothing unless options.certify is set
+// and all pieces hold.
 // \param firstRounded the faces before it have no rounded corner
 // \param block        changed in place; its vertices are copied where it touches itself, or else
 //                     such components may stay
