@@ -162,6 +162,7 @@ double largestLawResidual(const PerOperand<double>& operand, const BlockVolumes&
 // What an arrangement is for: blocks need closed operands and labels, splitting needs neither.
 enum class Purpose : std::uint8_t { Blocks, Split };
 
+// All stages of an arrangement, in the order in which data flows.
 void arrangeOnce(Purpose purpose, MeshArrays input, const Options& options, Monitor& monitor,
                  Stages& stages, Arrangement& out) {
 	out.options = options;

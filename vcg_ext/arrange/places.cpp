@@ -88,23 +88,26 @@ int comparePlaces(const Arrangement& arrangement, VertexId a, VertexId b) {
 	return 0;
 }
 
+namespace {
+
+bool isInScalar(const Point& p, OutputScalar scalar) {
+	return std::all_of(p.begin(), p.end(), [scalar](double x) { return inScalar(x, scalar) == x; });
+}
+
+}  // namespace
+
 bool isStoredExactly(const Arrangement& arrangement, VertexId vertex) {
 	const auto& moved = arrangement.movedPlaces;
 	if (arrangement.isCurvePoint(vertex) || (!moved.empty() && moved.count(vertex) != 0)) {
 		return false;
 	}
-	const Point& place = at(arrangement.mesh.points, vertex);
-	const OutputScalar scalar = arrangement.options.outputScalar;
-	return std::all_of(place.begin(), place.end(),
-	                   [scalar](double x) { return inScalar(x, scalar) == x; });
+	return isInScalar(at(arrangement.mesh.points, vertex), arrangement.options.outputScalar);
 }
 
 bool isStoredExactly(const Points& points, OutputScalar scalar) {
 	return scalar == OutputScalar::Double ||
-	       std::all_of(points.begin(), points.end(), [scalar](const Point& p) {
-		       return inScalar(p[0], scalar) == p[0] && inScalar(p[1], scalar) == p[1] &&
-		              inScalar(p[2], scalar) == p[2];
-	       });
+	       std::all_of(points.begin(), points.end(),
+	                   [scalar](const Point& p) { return isInScalar(p, scalar); });
 }
 
 void roundPlaces(OutputScalar scalar, Points& points) {

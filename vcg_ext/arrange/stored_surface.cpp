@@ -58,7 +58,7 @@ private:
 	Monitor& monitor_;
 	StoredSurface& out_;
 	bool areInputsRounded_ = false;
-	bool areAll_ = false;                 // all uncut faces are taken
+	bool areAll_ = false;                 // all uncut faces are taken, so each vertex is whole
 	HugeVector<std::uint8_t> isMovable_;  // per input vertex: a piece's corner; or empty
 	std::vector<BoundingBox> boxes_;      // of suspect faces; also of those at movable vertices
 	std::vector<std::uint32_t> uncut_;    // faces

@@ -31,6 +31,7 @@
 #include "vcg_ext/base/groups.h"
 #include "vcg_ext/base/parallel.h"
 #include "vcg_ext/exact/coordinate_hash.h"
+#include "vcg_ext/solids/block_elements.h"
 #include "vcg_ext/solids/face_groups.h"
 #include "vcg_ext/solids/star_polygon.h"
 
@@ -89,7 +90,6 @@ private:
 	void tryRemove(std::uint32_t v);
 	void replace(const Star& star, const std::vector<StarFace>& filling);
 	void compactFaces();
-	void compactVertices();
 
 	bool wholeBlock() const { return arrangement_.options.mergeCoplanar; }
 	ExactPoint exact(std::uint32_t v) const {
@@ -380,40 +380,11 @@ void Merger::compactFaces() {
 			sources.push_back(block_.faceSource[faces_[f].origin]);
 		}
 	}
-	std::size_t kept = 0, keptBeforePieces = 0;
-	for (std::size_t f = 0; f < gone.size(); ++f) {
-		if (gone[f] == 0) {
-			keptBeforePieces += f < block_.firstPiece ? 1 : 0;
-			block_.triangles[kept] = block_.triangles[f];
-			block_.faceSource[kept++] = block_.faceSource[f];
-		}
-	}
-	block_.triangles.resize(kept);
-	block_.faceSource.resize(kept);
+	removeFaces(gone, block_);
 	block_.triangles.insert(block_.triangles.end(), triangles.begin(), triangles.end());
 	block_.faceSource.insert(block_.faceSource.end(), sources.begin(), sources.end());
 	// Faces merged across input faces may have points of the curve as corners wherever they are.
-	block_.firstPiece = wholeBlock() ? 0 : keptBeforePieces;
-}
-
-// Takes the removed vertices out.
-void Merger::compactVertices() {
-	std::vector<std::uint32_t> newIndex(block_.points.size());
-	std::uint32_t count = 0;
-	for (std::size_t v = 0; v < newIndex.size(); ++v) {
-		newIndex[v] = count;
-		if (removed_[v] == 0) {
-			block_.points[count] = block_.points[v];
-			block_.vertexSource[count] = block_.vertexSource[v];
-			block_.suspect[count++] = block_.suspect[v];
-		}
-	}
-	block_.points.resize(count);
-	block_.vertexSource.resize(count, VertexId::none());
-	block_.suspect.resize(count);
-	for (IndexTriangle& t : block_.triangles) {
-		t = {newIndex[t[0]], newIndex[t[1]], newIndex[t[2]]};
-	}
+	block_.firstPiece = wholeBlock() ? 0 : block_.firstPiece;
 }
 
 Status Merger::run() {
@@ -438,7 +409,7 @@ Status Merger::run() {
 	}
 	if (originalCount_ < faces_.size()) {
 		compactFaces();
-		compactVertices();
+		removeVertices(removed_, block_);
 	}
 	return status;
 }

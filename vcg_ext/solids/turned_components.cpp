@@ -9,6 +9,7 @@
 #include "vcg_ext/arrange/places.h"
 #include "vcg_ext/base/union_find.h"
 #include "vcg_ext/parts/winding_rays.h"
+#include "vcg_ext/solids/block_elements.h"
 #include "vcg_ext/solids/nesting.h"
 
 #include <algorithm>
@@ -45,9 +46,8 @@ private:
 	const std::size_t first_;
 	Monitor& monitor_;
 	Block& block_;
-	UnionFind sets_;                    // of the faces from the first on
-	std::vector<Faces> components_;     // those that are thin, of the block's faces
-	std::vector<std::uint8_t> isGone_;  // per face, if any is
+	UnionFind sets_;                 // of the faces from the first on
+	std::vector<Faces> components_;  // those that are thin, of the block's faces
 };
 
 void TurnedComponents::joinAtVertices() {
@@ -164,40 +164,20 @@ Status TurnedComponents::findWrong() {
 }
 
 void TurnedComponents::drop() {
-	isGone_.assign(block_.triangles.size(), 0);
+	std::vector<std::uint8_t> isGone(block_.triangles.size(), 0);
 	for (const Faces& faces : components_) {
 		for (const std::uint32_t f : faces) {
-			isGone_[f] = 1;
+			isGone[f] = 1;
 		}
 	}
-	std::vector<std::uint32_t> newIndex(block_.points.size(), kNone);
-	std::size_t faceCount = 0;
-	for (std::size_t f = 0; f < isGone_.size(); ++f) {
-		if (isGone_[f] == 0) {
-			block_.triangles[faceCount] = block_.triangles[f];
-			block_.faceSource[faceCount++] = block_.faceSource[f];
-			for (const std::uint32_t v : block_.triangles[f]) {
-				newIndex[v] = 0;
-			}
+	removeFaces(isGone, block_);
+	isGone.assign(block_.points.size(), 1);
+	for (const IndexTriangle& t : block_.triangles) {
+		for (const std::uint32_t v : t) {
+			isGone[v] = 0;
 		}
 	}
-	block_.triangles.resize(faceCount);
-	block_.faceSource.resize(faceCount);
-	std::uint32_t count = 0;
-	for (std::size_t v = 0; v < newIndex.size(); ++v) {
-		if (newIndex[v] != kNone) {
-			newIndex[v] = count;
-			block_.points[count] = block_.points[v];
-			block_.vertexSource[count] = block_.vertexSource[v];
-			block_.suspect[count++] = block_.suspect[v];
-		}
-	}
-	block_.points.resize(count);
-	block_.vertexSource.resize(count, VertexId::none());
-	block_.suspect.resize(count);
-	for (IndexTriangle& t : block_.triangles) {
-		t = {newIndex[t[0]], newIndex[t[1]], newIndex[t[2]]};
-	}
+	removeVertices(isGone, block_);
 }
 
 Status TurnedComponents::run(std::size_t& dropped) {
