@@ -7,20 +7,25 @@
 #include "vcg_ext/arrange/coincident_faces.h"
 #include "vcg_ext/arrange/curve_points.h"
 #include "vcg_ext/arrange/cut_lines.h"
+#include "vcg_ext/arrange/equal_points.h"
 #include "vcg_ext/arrange/loops.h"
 #include "vcg_ext/arrange/octree_pairs.h"
 #include "vcg_ext/arrange/operands.h"
 #include "vcg_ext/arrange/places.h"
+#include "vcg_ext/arrange/refined_closed.h"
 #include "vcg_ext/arrange/repair_places.h"
 #include "vcg_ext/arrange/retriangulate.h"
 #include "vcg_ext/arrange/self_intersections.h"
+#include "vcg_ext/arrange/soup_contacts.h"
 #include "vcg_ext/arrange/triangle_contact.h"
+#include "vcg_ext/arrange/triple_contact.h"
 #include "vcg_ext/base/huge_pages.h"
 #include "vcg_ext/base/parallel.h"
 #include "vcg_ext/carry/certificates.h"
 #include "vcg_ext/carry/polygons.h"
 #include "vcg_ext/mesh/clean.h"
 #include "vcg_ext/solids/block_repair.h"
+#include "vcg_ext/solids/cell_labels.h"
 #include "vcg_ext/solids/delaunay_pieces.h"
 #include "vcg_ext/solids/kept_cuts.h"
 #include "vcg_ext/solids/labels.h"
@@ -32,6 +37,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <functional>
 #include <new>
 
 namespace index_boolean {
@@ -160,14 +166,18 @@ double largestLawResidual(const PerOperand<double>& operand, const BlockVolumes&
 }
 
 // What an arrangement is for: blocks need closed operands and labels, splitting needs neither.
-enum class Purpose : std::uint8_t { Blocks, Split };
+// Operands that may meet themselves are a soup.
+struct Purpose {
+	bool forBlocks, isSoup;
+};
+constexpr Purpose kBlocks{true, false}, kSplit{false, false};
+constexpr Purpose kCells{true, true}, kSplitSoup{false, true};
 
-// All stages of an arrangement, in the order in which data flows.
-void arrangeOnce(Purpose purpose, MeshArrays input, const Options& options, Monitor& monitor,
+// All stages of the arrangement of two embedded operands, in the order in which data flows.
+void arrangeEmbedded(bool forBlocks, MeshArrays input, const Options& options, Monitor& monitor,
                  Stages& stages, Arrangement& out) {
 	out.options = options;
 	out.mesh = std::move(input);
-	const bool forBlocks = purpose == Purpose::Blocks;
 	std::vector<FacePair> pairs;
 	Contacts contacts;
 	std::vector<VertexId> vertexOfName;
@@ -192,12 +202,44 @@ void arrangeOnce(Purpose purpose, MeshArrays input, const Options& options, Moni
 	}
 }
 
+// All stages of a soup's arrangement.
+void arrangeSoup(bool forBlocks, MeshArrays input, const Options& options, Monitor& monitor, Stages& stages,
+                 Arrangement& out) {
+	out.options = options;
+	out.mesh = std::move(input);
+	Contacts contacts;
+	std::vector<VertexId> vertexOfName;
+	stages.run("operands", 0.1, [&] { return prepareSoup(out, monitor); });
+	stages.run("soup_contacts", 0.2, [&] { return findSoupContacts(out, monitor, contacts); });
+	stages.run("curve_points", 0.05,
+	           [&] { return numberCurvePoints(out, contacts, monitor, vertexOfName); });
+	stages.run("triple_contact", 0.1,
+	           [&] { return findTripleContacts(out, vertexOfName, monitor, contacts); });
+	stages.run("equal_points", 0.05,
+	           [&] { return mergeEqualPoints(out, monitor, contacts, vertexOfName); });
+	stages.run("cut_lines", 0.05,
+	           [&] { return findCutLines(out, contacts, vertexOfName, monitor); });
+	stages.run("retriangulate", 0.15, [&] { return retriangulate(out, monitor); });
+	stages.run("refined_closed", 0.02, [&] { return findRefinedClosed(out, monitor); });
+	stages.run("repair_places", 0.03, [&] { return repairPlaces(out, monitor); });
+	stages.run("loops", 0.05, [&] { return traceLoops(out, monitor); });
+	if (forBlocks) {
+		stages.run("cell_labels", 0.2, [&] { return labelCells(out, monitor); });
+	}
+}
+
+void arrangeOnce(Purpose purpose, MeshArrays input, const Options& options, Monitor& monitor,
+                 Stages& stages, Arrangement& out) {
+	const auto& arrangeAll = purpose.isSoup ? arrangeSoup : arrangeEmbedded;
+	arrangeAll(purpose.forBlocks, std::move(input), options, monitor, stages, out);
+}
+
 // Arranges the operands as their coordinates are stored, where the arrangement of the exact ones
 // leaves faults: walls that are nearer to each other than numbers are touch then, or cross clearly.
 // \param operands rounded \param out stays if that is no better, or they are no operands
 Status arrangeRounded(Purpose purpose, MeshArrays operands, Monitor& monitor, Arrangement& out) {
 	Options options = out.options;
-	options.checkSelfIntersections = true;
+	options.selfIntersections = SelfIntersections::Refuse;
 	Arrangement rounded;
 	Stages stages(monitor, rounded.stageTimes, 1, 0);
 	arrangeOnce(purpose, std::move(operands), options, monitor, stages, rounded);
@@ -235,24 +277,84 @@ Status arrangeFor(Purpose purpose, MeshArrays input, const Options& options, Mon
 }  // namespace
 
 Status arrange(MeshArrays input, const Options& options, Monitor& monitor, Arrangement& out) {
-	return arrangeFor(Purpose::Blocks, std::move(input), options, monitor, out);
+	return arrangeFor(kBlocks, std::move(input), options, monitor, out);
+}
+
+Status arrangeCells(MeshArrays input, const Options& options, Monitor& monitor, Arrangement& out) {
+	return arrangeFor(kCells, std::move(input), options, monitor, out);
 }
 
 Status arrangeSurfaces(MeshArrays input, const Options& options, Monitor& monitor,
                        Arrangement& out) {
-	return arrangeFor(Purpose::Split, std::move(input), options, monitor, out);
+	return arrangeFor(kSplit, std::move(input), options, monitor, out);
+}
+
+namespace {
+
+// Whether a refusal of operands that have to be embedded is none of operands that need not be.
+bool isOnlyForEmbedded(StatusCode code, SelfIntersections selfIntersections) {
+	switch (code) {
+	case StatusCode::SelfIntersecting:
+		return selfIntersections != SelfIntersections::Refuse;
+	case StatusCode::NestedComponents:
+	case StatusCode::NotClosed:
+	case StatusCode::NotOriented:
+	case StatusCode::NoVolume:
+		return true;
+	default:
+		return false;
+	}
+}
+
+// Ok, or the first operand of which no block can be made: it is open, or encloses nothing.
+Status refuseEmptyOperands(const Arrangement& arrangement) {
+	return forEachOperand(arrangement.mesh.operands(), [&](OperandId operand) {
+		if (!arrangement.closed[operand]) {
+			return refuseOpen(arrangement, operand);
+		}
+		const auto& windings = arrangement.cells.windings;
+		const bool isEmpty = std::all_of(windings.begin(), windings.end(), [&](const auto& w) {
+			return !isInside(arrangement.options.windingRule, w[operand]);
+		});
+		Status status = statusOf(isEmpty ? StatusCode::NoVolume : StatusCode::Ok);
+		status.operand = numberOf(operand);
+		return status;
+	});
+}
+
+}  // namespace
+
+Status arrangeOperands(MeshArrays input, const InputAgain& again, const Options& options,
+                       Monitor& monitor, Arrangement& out) {
+	const Status status = arrange(std::move(input), options, monitor, out);
+	if (!isOnlyForEmbedded(status.code, options.selfIntersections)) {
+		return status;
+	}
+	return inOrder([&] { return arrangeCells(again(), options, monitor, out); },
+	               [&] { return refuseEmptyOperands(out); });
+}
+
+Status splitOperands(MeshArrays input, const InputAgain& again, const Options& options,
+                     Monitor& monitor, Arrangement& out) {
+	const Status status = arrangeSurfaces(std::move(input), options, monitor, out);
+	return isOnlyForEmbedded(status.code, options.selfIntersections)
+	           ? arrangeFor(kSplitSoup, again(), options, monitor, out)
+	           : status;
 }
 
 namespace {
 
 constexpr double kMadeBlock = 0.95;  // of a block's progress bar
 
+// Collects a block's faces and vertices: collect(block).
+using Collect = std::function<Status(Block&)>;
+
 // A block from the labelled arrangement to its certificate.
-void makeBlock(const Arrangement& arrangement, Operation operation,
+void makeBlock(const Arrangement& arrangement, const Collect& collect,
                const std::vector<FaceId>& keptCuts, Monitor& monitor, Stages& stages, Block& out) {
 	const Options& options = arrangement.options;
 	stages.run("blocks", 0.55, [&] {
-		const Status status = collectBlock(arrangement, operation, monitor, out);
+		const Status status = collect(out);
 		out.keptCuts = keptCuts;
 		return status;
 	});
@@ -274,17 +376,15 @@ void makeBlock(const Arrangement& arrangement, Operation operation,
 	           [&] { return certify(arrangement, out, {}, isAsCut, monitor, out.certificate); });
 }
 
-}  // namespace
-
-Status extractBlock(const Arrangement& arrangement, Operation operation, Monitor& monitor,
-                    Block& out) {
+Status extractCollected(const Arrangement& arrangement, const Collect& collect, Monitor& monitor,
+                        Block& out) {
 	return guarded([&] {
 		Stages stages(monitor, out.stageTimes);
-		makeBlock(arrangement, operation, {}, monitor, stages, out);
+		makeBlock(arrangement, collect, {}, monitor, stages, out);
 		stages.run("kept_cuts", 0, [&] {
 			const auto remake = [&](const std::vector<FaceId>& keptCuts, Block& again) {
 				Stages repeated(monitor, again.stageTimes, kMadeBlock, 0);
-				makeBlock(arrangement, operation, keptCuts, monitor, repeated, again);
+				makeBlock(arrangement, collect, keptCuts, monitor, repeated, again);
 				return repeated.status();
 			};
 			return keepCutsThatHold(arrangement, remake, out);
@@ -292,6 +392,31 @@ Status extractBlock(const Arrangement& arrangement, Operation operation, Monitor
 		stages.run("polygons", 0.05, [&] { return findFauxEdges(arrangement, {}, monitor, out); });
 		return stages.status();
 	});
+}
+
+}  // namespace
+
+Status extractBlock(const Arrangement& arrangement, Operation operation, Monitor& monitor,
+                    Block& out) {
+	const WindingRule rule = arrangement.options.windingRule;
+	const auto collect = [&](Block& block) {
+		if (!arrangement.cells.areKnown()) {
+			return collectBlock(arrangement, operation, monitor, block);
+		}
+		const Status status =
+		    collectCells(arrangement, cellPredicateOf(operation, rule), monitor, block);
+		block.operation = operation;
+		return status;
+	};
+	return extractCollected(arrangement, collect, monitor, out);
+}
+
+Status extractBlock(const Arrangement& arrangement, const CellPredicate& isInside, Monitor& monitor,
+                    Block& out) {
+	const auto collect = [&](Block& block) {
+		return collectCells(arrangement, isInside, monitor, block);
+	};
+	return extractCollected(arrangement, collect, monitor, out);
 }
 
 namespace {
@@ -304,7 +429,7 @@ Status findParts(const Arrangement& arrangement, bool alsoBlocks, Monitor& monit
 		           [&] { return findSubSurfaces(arrangement, monitor, out.surfaces); });
 		if (alsoBlocks) {
 			stages.run("sub_blocks", 0.3, [&] {
-				return findSubBlocks(arrangement, out.surfaces, monitor, out.blocks);
+				return findSubBlocks(arrangement, out.surfaces, Walls::All, monitor, out.blocks);
 			});
 		}
 		return stages.status();

@@ -21,6 +21,7 @@
 #include "vcg_ext/parts/split_audit.h"
 #include "vcg_ext/parts/split_meshes.h"
 #include "vcg_ext/solids/blocks.h"
+#include "vcg_ext/solids/cell_blocks.h"
 
 namespace index_boolean {
 
@@ -40,6 +41,39 @@ Status arrange(MeshArrays input, const Options& options, Monitor& monitor, Arran
 // Complexity: O(n).
 Status extractBlock(const Arrangement& arrangement, Operation operation, Monitor& monitor,
                     Block& out);
+
+// Intersects any number of surfaces, each of which may meet itself, for blocks: by cells, from
+// which a block of any combination of the operands can be read. Open operands part space as well,
+// but their winding number is 0 everywhere. Parameters as above.
+// \return any StatusCode but NotClosed, NotOriented, NoVolume, NestedComponents, SelfIntersecting
+// Complexity: O(n log n + p + t) beyond the search for pairs that meet, for n triangles of the
+// arrangement, p pairs of faces in contact and t triples of faces pairwise in contact.
+Status arrangeCells(MeshArrays input, const Options& options, Monitor& monitor, Arrangement& out);
+
+// Reads the block of all cells for which a predicate is true, of an arrangement with cells.
+// \return Ok, Cancelled, OutOfMemory; InternalError if it is true of the outside, or there are no
+//         cells. Complexity: O(n), and a call for each cell.
+Status extractBlock(const Arrangement& arrangement, const CellPredicate& isInside, Monitor& monitor,
+                    Block& out);
+
+// Makes a run's operands once more, for a run that begins again: as they were given.
+using InputAgain = std::function<MeshArrays()>;
+
+// Intersects two closed operands, which may meet themselves, for blocks: as arrange, and what that
+// refuses for being no embedded surfaces, as arrangeCells. options.selfIntersections says what is
+// searched and refused.
+// \param again called only then; may throw std::bad_alloc
+// \return any StatusCode: of operands that meet themselves, SelfIntersecting if that is asked for;
+//         NotClosed or NotOriented of what is open as it is cut; NoVolume of what has no inside
+// Complexity: of those two.
+Status arrangeOperands(MeshArrays input, const InputAgain& again, const Options& options,
+                       Monitor& monitor, Arrangement& out);
+
+// The same for any two surfaces, for splitting: as arrangeSurfaces, and what meets itself, as one
+// soup. \return any StatusCode but NotClosed, NotOriented, NoVolume, NestedComponents
+// Complexity: as above.
+Status splitOperands(MeshArrays input, const InputAgain& again, const Options& options,
+                     Monitor& monitor, Arrangement& out);
 
 // Intersects any two surfaces, open or closed, orientable or not, for splitting: without labels, so
 // that no block can be read from the arrangement. Parameters as above.

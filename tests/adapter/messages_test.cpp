@@ -225,7 +225,8 @@ TEST(FilterDefinitions, switchesHaveTheDefaultsOfTheCore) {
 	EXPECT_EQ(defaultOf("merge_fragments"), options.mergeFragments);
 	EXPECT_EQ(defaultOf("merge_coplanar"), options.mergeCoplanar);
 	EXPECT_EQ(defaultOf("weld_non_manifold"), options.weldNonManifold);
-	EXPECT_EQ(defaultOf("check_self_intersections"), options.checkSelfIntersections);
+	EXPECT_EQ(defaultOf("self_intersections"), static_cast<int>(SelfIntersections::Resolve));
+	EXPECT_EQ(defaultOf("winding_rule"), static_cast<int>(options.windingRule));
 }
 
 TEST(FilterDefinitions, labelsHaveNoDotsThatTheHostWouldTakeForAFilesSuffix) {

@@ -38,7 +38,8 @@ Options optionsOf(std::uint32_t seed) {
 		options.mergeFragments = random.oneIn(2);
 		options.mergeCoplanar = random.oneIn(2);
 		options.weldNonManifold = random.oneIn(2);
-		options.checkSelfIntersections = random.oneIn(2);
+		options.selfIntersections =
+		    random.oneIn(2) ? SelfIntersections::Refuse : SelfIntersections::Trust;
 	}
 	return options;
 }
@@ -47,7 +48,7 @@ std::string text(const Options& o) {
 	return "octree " + std::to_string(o.octreeMaxDepth) + ' ' + std::to_string(o.octreeLeafSize) +
 	       (o.mergeFragments ? " mergeFragments" : "") + (o.mergeCoplanar ? " mergeCoplanar" : "") +
 	       (o.weldNonManifold ? " weldNonManifold" : "") +
-	       (o.checkSelfIntersections ? " checkSelfIntersections" : "");
+	       (o.selfIntersections == SelfIntersections::Refuse ? " refuse" : "");
 }
 
 // What is wrong with a pair; empty if nothing is.

@@ -103,7 +103,8 @@ inline Options options(ByteReader& in) {
 	o.mergeFragments = (switches & 2U) == 0;
 	o.mergeCoplanar = (switches & 4U) != 0;
 	o.weldNonManifold = (switches & 8U) != 0;
-	o.checkSelfIntersections = (switches & 16U) != 0;
+	o.selfIntersections =
+	    (switches & 16U) != 0 ? SelfIntersections::Refuse : SelfIntersections::Trust;
 	return o;
 }
 

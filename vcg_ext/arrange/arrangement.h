@@ -18,6 +18,16 @@ namespace index_boolean {
 // The scalar that output coordinates are rounded to, once.
 enum class OutputScalar : std::uint8_t { Double, Float };
 
+// What is done about operands that meet themselves: their faces cross, touch or lie on one another.
+enum class SelfIntersections : std::uint8_t {
+	Resolve,  // each operand is searched; one that meets itself is what its winding rule says
+	Trust,    // no search: the caller knows that there are none; what shows all the same is resolved
+	Refuse,   // each operand is searched; one that meets itself is refused
+};
+
+// What is inside an operand that meets itself, by the winding number of its surface.
+enum class WindingRule : std::uint8_t { Nonzero, Positive, Odd };
+
 struct Options {
 	int octreeMaxDepth = 12;  // 1 to 20
 	int octreeLeafSize = 0;   // 0: the cost rule; else a node with Na*Nb <= leafSize^2 is a leaf
@@ -26,7 +36,8 @@ struct Options {
 	bool mergeFragments = true;    // cuts that part nothing in a block leave no trace in it
 	bool mergeCoplanar = false;    // and coplanar neighbours become one face, as far as they can
 	bool weldNonManifold = false;  // where a block meets itself, it keeps one vertex, not copies
-	bool checkSelfIntersections = false;  // search each operand for faces that meet wrongly
+	SelfIntersections selfIntersections = SelfIntersections::Trust;
+	WindingRule windingRule = WindingRule::Nonzero;
 	bool certify =
 	    true;  // repair places so that what is delivered holds as stored, and say if it does
 	// How many there may be of anything that a run numbers: vertices, faces, points of contact,
@@ -46,14 +57,16 @@ struct StageTime {
 	double seconds;
 };
 
-// A point of contact is named by the pair of lowest simplices that meet there, one of each operand;
-// equal names are one point (unique, as long as no operand touches itself). Vertices of both
-// operands in one place have been welded: they are one vertex from the beginning.
+// A point of contact is named by the lowest simplices that meet there: two, or three faces. Equal
+// names are one point; in a soup a point may have several names, of which the smallest stands for
+// it. Vertices in one place have been welded: they are one vertex from the beginning.
 enum class PointKind : std::uint8_t {
-	Vertex,    // ids: a vertex common to both operands, or of one inside a face of the other
-	OnEdge,    // ids: vertex; lower, higher vertex of an edge of the other operand
-	EdgeEdge,  // ids: lower, higher vertex of the first operand's edge, then of the second's
-	EdgeFace,  // ids: lower, higher vertex of an edge; a face of the other operand
+	Vertex,        // ids: a vertex common to two faces, or of one inside the other
+	OnEdge,        // ids: vertex; lower, higher vertex of an edge
+	EdgeEdge,      // ids: lower, higher vertex of an edge, then of another; of two operands, the
+	               // first one's edge comes first, in a soup the smaller edge
+	EdgeFace,      // ids: lower, higher vertex of an edge; a face
+	FaceFaceFace,  // ids: three faces, ascending; in a soup only
 };
 
 struct PointName {
@@ -72,7 +85,7 @@ struct PointName {
 // One edge of the intersection curve. `crossing`: the faces a (of operand 0) and b (of operand 1)
 // cross there, inside both; then it is directed along normal(a) x normal(b): on a, the inside of
 // operand 1 is to its left; on b, the inside of operand 0 to its right. Else more faces meet there,
-// or the direction means nothing.
+// or the direction means nothing; in a soup it never does, and a and b are any two faces.
 struct Segment {
 	VertexId begin, end;
 	FaceId a, b;
@@ -107,7 +120,8 @@ struct Curve {
 	// [curve_points]
 	std::vector<PointName> names;       // of the new points
 	Points rounded;                     // their coordinates, correctly rounded to double
-	std::vector<std::uint8_t> onOther;  // per input vertex: it lies on the other operand
+	std::vector<std::uint8_t> onOther;  // per input vertex: it lies on the other operand; in a soup,
+	                                    // on a face that has no corner there, or two operands have it
 	std::vector<FaceId> touchedFaces;   // sorted
 	// [cut_lines]
 	std::vector<CutEdge> cutEdges;
@@ -183,6 +197,22 @@ struct Labels {
 	std::vector<std::uint8_t> owner;
 };
 
+// The parts that all surfaces together cut space into, by number; cell 0 is the unbounded outside.
+// Walls that no operand's winding number changes across are no walls. Empty unless the arrangement
+// is a soup's, for blocks.
+struct CellLabels {
+	using Sides = std::array<std::uint32_t, 2>;
+
+	// [cell_labels]
+	std::vector<PerOperand<std::int32_t>> windings;  // per cell, of each operand; 0 if that is open
+	std::vector<double> volume;                      // per cell; of the outside 0
+	// Per face that is not cut, and per piece: the cells in front of it and behind it. They are the
+	// same where it is no wall, or where another one on its corners stands for it.
+	HugeVector<Sides> ofFace, ofPiece;
+
+	bool areKnown() const { return !windings.empty(); }
+};
+
 // One maximal chain of the curve, as consecutive points; the first is repeated at the end of a
 // closed one. Of each of its edges, from one point to the next: two faces that meet there, one of
 // each operand.
@@ -232,10 +262,15 @@ struct Arrangement {
 	                                       // no face has been dropped or split
 	std::vector<VertexId> nonManifold;     // at which an operand is no manifold; ascending
 	PerOperand<bool> seams;                // vertices of the operand in one place have become one
-	PerOperand<bool> closed;               // each edge of the operand has as many faces each way
+	bool isSoup = false;                   // of any operands, which may meet themselves (soup.h)
+	PerOperand<bool> closed;               // each edge of the operand has as many faces each way; in
+	                                       // a soup, each edge of its pieces, or, for the rule Odd,
+	                                       // it has an even number of faces
 	PerOperand<bool> insideOut;            // the operand is closed and was given inside out; for
 	                                       // blocks it has been turned
 	DuplicateFaces duplicates;
+	PerOperand<std::size_t> selfIntersecting;  // faces that meet others of the same operand
+	                                           // wrongly; [soup_contacts], else 0
 	PerOperand<double> volume;  // of each operand that is closed, else 0
 	// [curve_points] and [cut_lines]
 	Curve curve;
@@ -248,8 +283,9 @@ struct Arrangement {
 	// [loops]; empty where the operands do not meet
 	std::vector<Loop> loops;
 	LoopCounts loopCounts;
-	// [labels] and [overlap_owners]; empty when splitting
+	// [labels] and [overlap_owners]; empty when splitting, and of a soup
 	Labels labels;
+	CellLabels cells;
 	// the driver
 	std::vector<StageTime> stageTimes;  // in the order of the stages
 

@@ -40,11 +40,12 @@ std::vector<ChunkBegin> beginsOf(const std::vector<ChunkPieces>& chunks,
 	return begins;
 }
 
-// Labelling gives each operand's corners nodes of their own behind all others; a block has faces
-// of both operands and pieces.
+// Labelling gives each operand's corners nodes of their own behind all others, which a soup does
+// without; a block has faces of all operands and pieces.
 Status checkSizes(const ChunkBegin& all, const Arrangement& arrangement) {
 	const MeshArrays& mesh = arrangement.mesh;
-	const std::size_t nodes = all.node + mesh.operands().count() * mesh.points.size();
+	const std::size_t labelled = arrangement.isSoup ? 0 : mesh.operands().count();
+	const std::size_t nodes = all.node + labelled * mesh.points.size();
 	const std::size_t corners = 3 * (mesh.triangles.size() + all.pieces);
 	const std::size_t most = arrangement.options.mostElements;
 	return inOrder([&] { return checkNumbering(nodes, most); },

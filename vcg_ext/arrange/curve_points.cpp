@@ -74,19 +74,6 @@ Status numberPoints(Arrangement& arrangement, const Contacts& contacts, Monitor&
 	return checkCounts(vertexCount + curve.pointCount(), 0, arrangement.options.mostElements);
 }
 
-Status roundPoints(Arrangement& arrangement, Monitor& monitor) {
-	Curve& curve = arrangement.curve;
-	curve.rounded.resizeForOverwrite(curve.pointCount());
-	const auto roundSome = [&](std::size_t begin, std::size_t end) {
-		for (std::size_t p = begin; p < end; ++p) {
-			ExactPoint point = exactPoint(arrangement, arrangement.vertexOf(makeId<PointTag>(p)));
-			roundPoint(point);
-			curve.rounded[p] = point.rounded;
-		}
-	};
-	return parallelFor(curve.pointCount(), 128, arrangement.options.threads, monitor, roundSome);
-}
-
 Status collectTouchedFaces(Arrangement& arrangement, const Contacts& contacts, Monitor& monitor) {
 	std::vector<FaceId>& faces = arrangement.curve.touchedFaces;
 	faces.reserve(2 * contacts.pairs.size());
@@ -103,11 +90,25 @@ Status collectTouchedFaces(Arrangement& arrangement, const Contacts& contacts, M
 
 }  // namespace
 
+Status roundCurvePoints(Arrangement& arrangement, std::size_t first, Monitor& monitor) {
+	Curve& curve = arrangement.curve;
+	curve.rounded.resizeForOverwrite(curve.pointCount());
+	const auto roundSome = [&](std::size_t begin, std::size_t end) {
+		for (std::size_t p = first + begin; p < first + end; ++p) {
+			ExactPoint point = exactPoint(arrangement, arrangement.vertexOf(makeId<PointTag>(p)));
+			roundPoint(point);
+			curve.rounded[p] = point.rounded;
+		}
+	};
+	return parallelFor(curve.pointCount() - first, 128, arrangement.options.threads, monitor,
+	                   roundSome);
+}
+
 Status numberCurvePoints(Arrangement& arrangement, const Contacts& contacts, Monitor& monitor,
                          std::vector<VertexId>& vertexOfName) {
 	return inOrder([&] { return checkContacts(contacts, arrangement.options); },
 	               [&] { return numberPoints(arrangement, contacts, monitor, vertexOfName); },
-	               [&] { return roundPoints(arrangement, monitor); },
+	               [&] { return roundCurvePoints(arrangement, 0, monitor); },
 	               [&] { return collectTouchedFaces(arrangement, contacts, monitor); });
 }
 

@@ -22,4 +22,8 @@ namespace index_boolean {
 Status numberCurvePoints(Arrangement& arrangement, const Contacts& contacts, Monitor& monitor,
                          std::vector<VertexId>& vertexOfName);
 
+// Rounds the points of the curve from one on. \return Ok, Cancelled or OutOfMemory
+// Complexity: O(k) for k of them, in parallel.
+Status roundCurvePoints(Arrangement& arrangement, std::size_t first, Monitor& monitor);
+
 }  // namespace index_boolean

@@ -6,6 +6,7 @@
 // segment.
 #include "vcg_ext/arrange/cut_lines.h"
 
+#include "vcg_ext/arrange/contact_lines.h"
 #include "vcg_ext/arrange/numbered_sort.h"
 #include "vcg_ext/arrange/places.h"
 #include "vcg_ext/arrange/self_intersecting.h"
@@ -40,28 +41,38 @@ struct EdgePoint {
 	}
 };
 
-// The points of contact on the edges of operands, each once for each edge.
-void appendPoints(const Arrangement& arrangement, const Contacts& contacts,
-                  std::vector<EdgePoint>& out) {
-	const std::vector<PointName>& newPoints = arrangement.curve.names;
-	for (std::uint32_t p = 0; p < newPoints.size(); ++p) {
-		const auto& ids = newPoints[p].ids;
-		const VertexId point = arrangement.vertexOf({p});
+// A point on the edges that one of its names tells.
+void appendPoint(const PointName& name, VertexId point, std::vector<EdgePoint>& out) {
+	const auto& ids = name.ids;
+	switch (name.kind) {
+	case PointKind::OnEdge:
+		out.push_back({VertexId{ids[1]}, VertexId{ids[2]}, point});
+		break;
+	case PointKind::EdgeEdge:
+		out.push_back({VertexId{ids[2]}, VertexId{ids[3]}, point});
+		[[fallthrough]];
+	case PointKind::EdgeFace:
 		out.push_back({VertexId{ids[0]}, VertexId{ids[1]}, point});
-		if (newPoints[p].kind == PointKind::EdgeEdge) {
-			out.push_back({VertexId{ids[2]}, VertexId{ids[3]}, point});
-		}
-	}
-	for (const PointName& name : contacts.names) {
-		if (name.kind == PointKind::OnEdge) {
-			out.push_back({VertexId{name.ids[1]}, VertexId{name.ids[2]}, VertexId{name.ids[0]}});
-		}
+		break;
+	case PointKind::Vertex:
+	case PointKind::FaceFaceFace:
+		break;
 	}
 }
 
-// Whether all faces at an edge have twins: the curve does not go along it.
-bool isQuiet(const MeshArrays& mesh, VertexId a, VertexId b) {
-	return mesh.isQuiet(a) && mesh.isQuiet(b);
+// The points of contact on the edges of operands, each once for each edge; in a soup, where points
+// have several names, once for each name.
+void appendPoints(const Arrangement& arrangement, const Contacts& contacts,
+                  const std::vector<VertexId>& vertexOfName, std::vector<EdgePoint>& out) {
+	const std::vector<PointName>& newPoints = arrangement.curve.names;
+	for (std::uint32_t p = 0; p < newPoints.size() && !arrangement.isSoup; ++p) {
+		appendPoint(newPoints[p], arrangement.vertexOf({p}), out);
+	}
+	for (std::size_t i = 0; i < contacts.names.size(); ++i) {
+		if (arrangement.isSoup || contacts.names[i].kind == PointKind::OnEdge) {
+			appendPoint(contacts.names[i], vertexOfName[i], out);
+		}
+	}
 }
 
 // The edges of touched faces with both ends on the other operand, once for each face.
@@ -71,16 +82,17 @@ void appendEdgesOnOther(const Arrangement& arrangement, std::vector<EdgePoint>& 
 		for (std::size_t i = 0; i < 3; ++i) {
 			const auto [low, high] = std::minmax(t[i], t[(i + 1) % 3]);
 			if (arrangement.isOnOther(low) && arrangement.isOnOther(high) &&
-			    !isQuiet(arrangement.mesh, low, high)) {
+			    !isQuietEdge(arrangement.mesh, low, high)) {
 				out.push_back({low, high, VertexId::none()});
 			}
 		}
 	}
 }
 
-Status collectEdgePoints(const Arrangement& arrangement, const Contacts& contacts, Monitor& monitor,
+Status collectEdgePoints(const Arrangement& arrangement, const Contacts& contacts,
+                         const std::vector<VertexId>& vertexOfName, Monitor& monitor,
                          std::vector<EdgePoint>& out) {
-	appendPoints(arrangement, contacts, out);
+	appendPoints(arrangement, contacts, vertexOfName, out);
 	appendEdgesOnOther(arrangement, out);
 	const auto keyOf = [](const EdgePoint& e) { return e.low.value; };
 	const Status status = sortNumbered(out, arrangement.mesh.points.size(), keyOf,
@@ -146,8 +158,12 @@ bool sortAlongEdge(const Arrangement& arrangement, const CutEdge& edge, VertexId
 }
 
 // Two points of contact in one place: faces of the other operand meet there without a common edge.
+// In a soup, where points in one place are one point, there are none.
 Status refuseCoincidentPoints(const Arrangement& arrangement, const Contacts& contacts,
                               const CutEdge& edge) {
+	if (arrangement.isSoup) {
+		return statusOf(StatusCode::InternalError);
+	}
 	const MeshArrays& mesh = arrangement.mesh;
 	OperandId operand = OperandId::none();
 	std::vector<FaceId> faces;
@@ -189,123 +205,6 @@ Status sortPointsOnEdges(Arrangement& arrangement, const Contacts& contacts, Mon
 
 // ---- segments
 
-// A straight line between two points that a contact, by its place among the pairs, asks for.
-struct ContactLine {
-	VertexId begin, end;
-	std::uint32_t contact;
-
-	std::pair<VertexId, VertexId> key() const { return std::minmax(begin, end); }
-	friend bool operator<(const ContactLine& a, const ContactLine& b) {
-		const auto x = a.key(), y = b.key();
-		return x.first != y.first     ? x.first < y.first
-		       : x.second != y.second ? x.second < y.second
-		                              : a.contact < b.contact;
-	}
-};
-
-bool lexicographicallyBefore(const ExactPoint& a, const ExactPoint& b) {
-	for (int axis = 0; axis < 3; ++axis) {
-		if (const int order = compareCoordinate(a, b, axis); order != 0) {
-			return order < 0;
-		}
-	}
-	return false;
-}
-
-// Collects what contacts ask for.
-class LineCollector {
-public:
-	// Borrows all.
-	LineCollector(const Arrangement& arrangement, const Contacts& contacts,
-	              const std::vector<VertexId>& vertexOfName)
-	    : arrangement_(arrangement), contacts_(contacts), vertexOfName_(vertexOfName) {}
-
-	void collect();
-
-	std::vector<ContactLine> lines;
-	std::vector<FaceVertex> faceVertices;  // in any order
-
-private:
-	void addLine(VertexId begin, VertexId end, std::uint32_t contact);
-	void addOverlap(std::uint32_t contact);
-	void addVertices(const NamedContact& contact);
-
-	using Corner = std::pair<VertexId, ExactPoint>;
-	std::vector<Corner> cornersOf(const NamedContact& overlap) const;
-
-	const Arrangement& arrangement_;
-	const Contacts& contacts_;
-	const std::vector<VertexId>& vertexOfName_;
-};
-
-// No curve goes along an edge all of whose faces have twins. Faces at it that are not quiet are
-// seen here, but not all of them, so nothing could be told from their order around it.
-void LineCollector::addLine(VertexId begin, VertexId end, std::uint32_t contact) {
-	if (!isQuiet(arrangement_.mesh, begin, end)) {
-		lines.push_back({begin, end, contact});
-	}
-}
-
-// The corners of a coplanar overlap around it, from the lexicographically smallest on.
-std::vector<LineCollector::Corner> LineCollector::cornersOf(const NamedContact& overlap) const {
-	const MeshArrays& mesh = arrangement_.mesh;
-	std::vector<Corner> corners;
-	for (std::uint32_t i = 0; i < overlap.count; ++i) {
-		const VertexId v = vertexOfName_[overlap.first + i];
-		corners.emplace_back(v, exactPoint(arrangement_, v));
-	}
-	int sign = 0;
-	const int axis = projectionAxis(at(mesh.triangles, overlap.a), mesh.points, sign);
-	const auto isBefore = [](const Corner& a, const Corner& b) {
-		return lexicographicallyBefore(a.second, b.second);
-	};
-	std::iter_swap(corners.begin(), std::min_element(corners.begin(), corners.end(), isBefore));
-	const ExactPoint& apex = corners.front().second;
-	std::sort(corners.begin() + 1, corners.end(), [&](const Corner& a, const Corner& b) {
-		return orient2d(apex, a.second, b.second, axis) > 0;
-	});
-	return corners;
-}
-
-// The sides of a coplanar overlap.
-void LineCollector::addOverlap(std::uint32_t contact) {
-	const NamedContact& c = contacts_.pairs[contact];
-	const std::vector<Corner> corners = cornersOf(c);
-	for (std::size_t i = 0; i < corners.size(); ++i) {
-		const VertexId next = corners[(i + 1) % corners.size()].first;
-		addLine(corners[i].first, next, contact);
-	}
-}
-
-// The vertices of either face that lie inside the other one.
-void LineCollector::addVertices(const NamedContact& contact) {
-	for (std::uint32_t i = 0; i < contact.count; ++i) {
-		const PointName& name = contacts_.names[contact.first + i];
-		if (name.kind != PointKind::Vertex) {
-			continue;
-		}
-		const VertexId vertex{name.ids[0]};
-		for (const FaceId face : {contact.a, contact.b}) {
-			const Triangle& t = at(arrangement_.mesh.triangles, face);
-			if (std::find(t.begin(), t.end(), vertex) == t.end()) {
-				faceVertices.push_back({face, vertex});
-			}
-		}
-	}
-}
-
-void LineCollector::collect() {
-	for (std::uint32_t i = 0; i < contacts_.pairs.size(); ++i) {
-		const NamedContact& c = contacts_.pairs[i];
-		addVertices(c);
-		if (c.count == 2) {
-			addLine(vertexOfName_[c.first], vertexOfName_[c.first + 1], i);
-		} else if (c.count > 2) {
-			addOverlap(i);
-		}
-	}
-}
-
 // Each vertex once in each face.
 void takeFaceVertices(std::vector<FaceVertex>& collected, Curve& curve) {
 	std::sort(collected.begin(), collected.end(), [](const FaceVertex& a, const FaceVertex& b) {
@@ -322,10 +221,9 @@ void takeFaceVertices(std::vector<FaceVertex>& collected, Curve& curve) {
 Status collectLines(Arrangement& arrangement, const Contacts& contacts,
                     const std::vector<VertexId>& vertexOfName, Monitor& monitor,
                     std::vector<ContactLine>& lines) {
-	LineCollector collector(arrangement, contacts, vertexOfName);
-	collector.collect();
-	takeFaceVertices(collector.faceVertices, arrangement.curve);
-	lines = std::move(collector.lines);
+	std::vector<FaceVertex> faceVertices;
+	collectContactLines(arrangement, contacts, vertexOfName, lines, faceVertices);
+	takeFaceVertices(faceVertices, arrangement.curve);
 	const std::size_t vertexCount = arrangement.mesh.points.size() + arrangement.curve.pointCount();
 	const auto keyOf = [](const ContactLine& line) { return line.key().first.value; };
 	return sortNumbered(lines, vertexCount, keyOf, std::less<ContactLine>(), arrangement.options,
@@ -333,16 +231,23 @@ Status collectLines(Arrangement& arrangement, const Contacts& contacts,
 }
 
 // Lines between the same two points are one segment, which all their faces have. It is a crossing
-// if one pair of faces asks for it, and generically.
-void numberSegments(const std::vector<ContactLine>& lines, const Contacts& contacts, Curve& curve) {
+// if one pair of faces asks for it, and generically; in a soup, never. It is named by the first
+// pair; in a soup, by the first one of two operands, if there is any.
+void numberSegments(const std::vector<ContactLine>& lines, const Contacts& contacts,
+                    const MeshArrays& mesh, bool isSoup, Curve& curve) {
 	using Iterator = std::vector<ContactLine>::const_iterator;
 	const auto hasSameEnds = [](const ContactLine& a, const ContactLine& b) {
 		return a.key() == b.key();
 	};
 	forEachGroup(lines.begin(), lines.end(), hasSameEnds, [&](Iterator first, Iterator last) {
-		const NamedContact& c = contacts.pairs[first->contact];
+		const auto isOfTwo = [&](const ContactLine& line) {
+			const NamedContact& contact = contacts.pairs[line.contact];
+			return mesh.operandOf(contact.a) != mesh.operandOf(contact.b);
+		};
+		const Iterator naming = isSoup ? std::find_if(first, last, isOfTwo) : first;
+		const NamedContact& c = contacts.pairs[(naming == last ? first : naming)->contact];
 		const SegmentId segment = makeId<SegmentTag>(curve.segments.size());
-		const bool isCrossing = last - first == 1 && c.generic;
+		const bool isCrossing = last - first == 1 && c.generic && !isSoup;
 		curve.segments.push_back({first->begin, first->end, c.a, c.b, isCrossing});
 		for (Iterator line = first; line != last; ++line) {
 			const NamedContact& contact = contacts.pairs[line->contact];
@@ -403,14 +308,15 @@ Status findCutLines(Arrangement& arrangement, const Contacts& contacts,
 	std::vector<EdgePoint> edgePoints;
 	std::vector<ContactLine> lines;
 	const Status status =
-	    inOrder([&] { return collectEdgePoints(arrangement, contacts, monitor, edgePoints); },
+	    inOrder([&] { return collectEdgePoints(arrangement, contacts, vertexOfName, monitor,
+		                                       edgePoints); },
 	            [&] { return collectCutEdges(edgePoints, arrangement); },
 	            [&] { return sortPointsOnEdges(arrangement, contacts, monitor); },
 	            [&] { return collectLines(arrangement, contacts, vertexOfName, monitor, lines); });
 	if (!status.ok()) {
 		return status;
 	}
-	numberSegments(lines, contacts, arrangement.curve);
+	numberSegments(lines, contacts, arrangement.mesh, arrangement.isSoup, arrangement.curve);
 	findIrregularPoints(arrangement);
 	return sortFaceSegments(arrangement, monitor);
 }

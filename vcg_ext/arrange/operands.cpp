@@ -14,6 +14,7 @@
 #include "vcg_ext/mesh/corner_weld.h"
 #include "vcg_ext/mesh/element_counts.h"
 #include "vcg_ext/mesh/non_manifold.h"
+#include "vcg_ext/mesh/soup_weld.h"
 #include "vcg_ext/mesh/unmatched_edges.h"
 
 #include <algorithm>
@@ -531,6 +532,65 @@ Status weldOperands(Arrangement& arrangement, Monitor& monitor, CornerWelder& we
 	               [&] { return facts.anyEqual ? dropCollapsedFaces(arrangement) : Status{}; });
 }
 
+// Checks the arrays of a soup, welds each operand's vertices and drops faces with equal corners.
+Status weldSoup(Arrangement& arrangement, Monitor& monitor) {
+	MeshArrays& mesh = arrangement.mesh;
+	CornerFacts facts;
+	const auto checkPlaces = [&] {
+		const double most = largestCoordinate(arrangement.options.outputScalar);
+		const auto isFine = [&](VertexId v) { return isWithin(at(mesh.points, v), most); };
+		const bool areFine = std::all_of(
+		    mesh.triangles.begin(), mesh.triangles.end(),
+		    [&](const Triangle& t) { return isFine(t[0]) && isFine(t[1]) && isFine(t[2]); });
+		return areFine ? Status{} : refuseCorners(arrangement, StatusCode::NotFinite);
+	};
+	return inOrder([&] { return checkSizes(mesh, arrangement.options.mostElements); },
+	               [&] { return lookAtCorners(arrangement, monitor, facts); },
+	               [&] {
+		               return facts.allExist
+		                          ? checkPlaces()
+		                          : refuseCorners(arrangement, StatusCode::IndexOutOfRange);
+	               },
+	               [&] {
+		               weldEachOperand(mesh, arrangement.seams);
+		               return lookAtCorners(arrangement, monitor, facts);
+	               },
+	               [&] { return facts.anyEqual ? dropCollapsedFaces(arrangement) : Status{}; });
+}
+
+// The vertices of a welded soup that several operands have, or whose faces are not one umbrella.
+void findSoupNonManifold(Arrangement& arrangement) {
+	const MeshArrays& mesh = arrangement.mesh;
+	const auto vertexCount = static_cast<std::uint32_t>(mesh.points.size());
+	std::vector<VertexId>& all = arrangement.nonManifold;
+	const Triangle* const faces = mesh.triangles.data();
+	findNonManifoldVertices(faces, faces + mesh.triangles.size(), {0, vertexCount}, all);
+	std::vector<OperandId> owner(vertexCount, OperandId::none());
+	for (const OperandId operand : mesh.operands()) {
+		for (std::uint32_t f = mesh.faceOffsets.begin(operand); f < mesh.faceOffsets.end(operand);
+		     ++f) {
+			for (const VertexId v : faces[f]) {
+				if (at(owner, v) != OperandId::none() && at(owner, v) != operand) {
+					all.push_back(v);
+				}
+				at(owner, v) = operand;
+			}
+		}
+	}
+	std::sort(all.begin(), all.end());
+	all.erase(std::unique(all.begin(), all.end()), all.end());
+}
+
+// Makes room for what is known of each operand.
+void makeRoomForOperands(Arrangement& arrangement) {
+	const std::size_t count = arrangement.mesh.operands().count();
+	arrangement.seams = arrangement.closed = arrangement.insideOut = PerOperand<bool>(count);
+	arrangement.duplicates.cancelledPairs = PerOperand<std::size_t>(count);
+	arrangement.duplicates.takenOnce = PerOperand<std::size_t>(count);
+	arrangement.selfIntersecting = PerOperand<std::size_t>(count);
+	arrangement.volume = PerOperand<double>(count);
+}
+
 }  // namespace
 
 Status prepareOperands(Arrangement& arrangement, Monitor& monitor) {
@@ -578,6 +638,22 @@ Status prepareSurfaces(Arrangement& arrangement, Monitor& monitor) {
 	               [&] { return findNonManifold(arrangement, monitor); },
 	               [&] { return joinPolygons(arrangement, monitor); },
 	               [&] { return findVolumes(arrangement, seen, false); });
+}
+
+Status prepareSoup(Arrangement& arrangement, Monitor& monitor) {
+	PerOperand<FacesSeen> seen;
+	bool cleaned = false;
+	arrangement.isSoup = true;
+	makeRoomForOperands(arrangement);
+	return inOrder([&] { return weldSoup(arrangement, monitor); },
+	               [&] { return lookAtFaces(arrangement, monitor, seen); },
+	               [&] { return cleanZeroAreaFaces(arrangement, monitor, seen, cleaned); },
+	               [&] {
+		               weldOperandsTogether(arrangement.mesh);
+		               findSoupNonManifold(arrangement);
+		               return findClosed(arrangement, monitor);
+	               },
+	               [&] { return joinPolygons(arrangement, monitor); });
 }
 
 }  // namespace index_boolean

@@ -54,6 +54,13 @@ ExactPoint exactPointOf(const MeshArrays& mesh, const PointName& name) {
 		return ExactPoint::linePlane({&points[ids[0]], &points[ids[1]], &at(points, face[0]),
 		                              &at(points, face[1]), &at(points, face[2])});
 	}
+	case PointKind::FaceFaceFace: {
+		std::array<const Point*, 9> corners{};
+		for (std::size_t i = 0; i < corners.size(); ++i) {
+			corners[i] = &at(points, mesh.triangles[ids[i / 3]][i % 3]);
+		}
+		return ExactPoint::threePlanes(corners);
+	}
 	case PointKind::Vertex:
 	case PointKind::OnEdge:
 		break;
@@ -86,6 +93,26 @@ int comparePlaces(const Arrangement& arrangement, VertexId a, VertexId b) {
 		}
 	}
 	return 0;
+}
+
+AxisDirection directionBetween(const Arrangement& arrangement, VertexId from, VertexId to) {
+	const Point& p = arrangement.coordinates(from);
+	const Point& q = arrangement.coordinates(to);
+	AxisDirection found{0, 0};
+	double most = -1;
+	for (int axis = 0; axis < 3; ++axis) {
+		const auto k = static_cast<std::size_t>(axis);
+		const double length = q[k] / 2 - p[k] / 2;  // halves, so that it is finite
+		if (std::fabs(length) > most && p[k] != q[k]) {
+			most = std::fabs(length);
+			found = {axis, p[k] < q[k] ? 1 : -1};
+		}
+	}
+	for (int axis = 0; axis < 3 && found.sign == 0; ++axis) {
+		found = {axis, compareCoordinate(exactPoint(arrangement, to), exactPoint(arrangement, from),
+		                                 axis)};
+	}
+	return found;
 }
 
 namespace {

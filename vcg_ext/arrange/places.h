@@ -25,6 +25,16 @@ ExactPoint exactPoint(const Arrangement& arrangement, VertexId vertex);
 // Complexity: O(1); a few comparisons unless the places are nearly the same.
 int comparePlaces(const Arrangement& arrangement, VertexId a, VertexId b);
 
+// A direction along which two different places differ: an axis, and +1 if the coordinate rises from
+// the first to the second, else -1.
+struct AxisDirection {
+	int axis, sign;
+};
+
+// The axis along which the rounded places are farthest apart, or, if these are equal, the first
+// one along which the exact ones differ. sign is 0 if they do not. Complexity: O(1).
+AxisDirection directionBetween(const Arrangement& arrangement, VertexId from, VertexId to);
+
 // Whether a vertex is stored in its exact place for sure: an input vertex that has not been moved,
 // if its coordinates are numbers of the output scalar. Complexity: O(log m) for m moved places.
 bool isStoredExactly(const Arrangement& arrangement, VertexId vertex);

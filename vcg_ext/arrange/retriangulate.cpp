@@ -120,10 +120,17 @@ Failure FaceCutter::cut(FaceId face) {
 	return {};
 }
 
-// The other operand's faces with segments on a face that could not be cut.
+// The other operand's faces with segments on a face that could not be cut. In a soup every face can
+// be.
 Status refuseFace(const Arrangement& arrangement, FaceId face) {
 	const Curve& curve = arrangement.curve;
 	const MeshArrays& mesh = arrangement.mesh;
+	if (arrangement.isSoup) {
+		Status defect = index_boolean::statusOf(StatusCode::InternalError);
+		defect.hasPlace = true;
+		defect.place = at(mesh.points, at(mesh.triangles, face)[0]);
+		return defect;
+	}
 	const OperandId operand = otherOf(mesh.operandOf(face));
 	std::vector<FaceId> faces;
 	std::vector<std::uint8_t> onFace(curve.segments.size());

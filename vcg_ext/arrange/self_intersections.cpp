@@ -116,7 +116,7 @@ Status searchOperand(const Arrangement& arrangement, OperandId operand, Monitor&
 }  // namespace
 
 Status checkSelfIntersections(const Arrangement& arrangement, Monitor& monitor) {
-	if (!arrangement.options.checkSelfIntersections) {
+	if (arrangement.options.selfIntersections == SelfIntersections::Trust) {
 		return {};
 	}
 	return forEachOperand(arrangement.mesh.operands(), [&](OperandId operand) {

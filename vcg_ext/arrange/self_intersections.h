@@ -15,8 +15,8 @@ namespace index_boolean {
 // Searches each operand for self-intersections: faces that cross, touch where they share no corner,
 // or overlap in one plane; two faces on the same corners. Components that meet in common corners
 // and edges only are no defect, nor is one within another.
-// \param arrangement its operands are prepared (operands.h); nothing is searched unless
-//                    options.checkSelfIntersections is set
+// \param arrangement its operands are prepared (operands.h); nothing is searched if
+//                    options.selfIntersections is Trust
 // \return Ok, Cancelled, OutOfMemory, InternalError; SelfIntersecting with the operand, the number
 //         of faces concerned, their indices as given, and a point where the first two of them meet
 // Complexity: O(n log n + p) for n faces and p pairs of faces with boxes that meet, in parallel;

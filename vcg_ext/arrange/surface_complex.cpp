@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <map>
 #include <numeric>
 
 namespace index_boolean {
@@ -54,7 +55,6 @@ public:
 	Status run(ComplexOf part);
 
 private:
-	RefinedFace refinedFace(const Triangle& corners, FaceId source) const;
 	Status addUncutFaces();
 	void addPieces(ComplexOf part);
 	bool isIrregular(const Triangle& piece) const;
@@ -65,6 +65,7 @@ private:
 	Status listNearFaces();
 	Status joinFaces();
 	std::vector<EdgeEntry> listEdges() const;
+	bool haveSameOwners(HalfEdgeId a, HalfEdgeId b) const;
 	void join(const EdgeEntry* begin, const EdgeEntry* end, PartingEdges& parting);
 	void append(const PartingEdges& parting);
 
@@ -76,12 +77,6 @@ private:
 	std::vector<std::uint32_t> maybeCoincident_;  // faces of the complex
 	std::vector<std::uint8_t> isMerged_;          // per face: into an earlier one
 };
-
-RefinedFace Builder::refinedFace(const Triangle& corners, FaceId source) const {
-	RefinedFace face{corners, {FaceId::none(), FaceId::none()}, false};
-	face.sources[mesh_.operandOf(source).value] = source;
-	return face;
-}
 
 // Counts the uncut faces of each chunk, then writes them.
 Status Builder::addUncutFaces() {
@@ -103,14 +98,15 @@ Status Builder::addUncutFaces() {
 			                           std::size_t slot = begins[chunk];
 			                           for (std::size_t f = begin; f < end; ++f) {
 				                           if (isCut[f] == 0) {
-					                           out_.faces[slot++] = refinedFace(mesh_.triangles[f],
-					                                                            makeId<FaceTag>(f));
+					                           out_.faces[slot++] = {mesh_.triangles[f],
+					                                                 makeId<FaceTag>(f), kNone,
+					                                                 kNone};
 				                           }
 			                           }
 		                           });
 	}
 	for (std::uint32_t face = 0; face < begins.back() && !mesh_.quietFaces.empty(); ++face) {
-		if (mesh_.quietTwin(out_.faces[face].source()) != Twin::None) {
+		if (mesh_.quietTwin(out_.faces[face].source) != Twin::None) {
 			maybeCoincident_.push_back(face);
 		}
 	}
@@ -122,7 +118,7 @@ bool Builder::isIrregular(const Triangle& piece) const {
 	return (at(irregular, piece[0]) | at(irregular, piece[1]) | at(irregular, piece[2])) != 0;
 }
 
-// Only such a piece can coincide with one of the other operand's.
+// Only such a piece can coincide with another face's.
 bool Builder::isOnCurve(const Triangle& piece) const {
 	return arrangement_.isOnOther(piece[0]) && arrangement_.isOnOther(piece[1]) &&
 	       arrangement_.isOnOther(piece[2]);
@@ -140,7 +136,8 @@ void Builder::addPieces(ComplexOf part) {
 			if (isOnCurve(corners)) {
 				maybeCoincident_.push_back(static_cast<std::uint32_t>(out_.faces.size()));
 			}
-			out_.faces.push_back(refinedFace(corners, refinement.cutFaces[i].face));
+			out_.faces.push_back({corners, refinement.cutFaces[i].face,
+			                      static_cast<std::uint32_t>(piece), kNone});
 		}
 	}
 }
@@ -150,28 +147,29 @@ bool runAlike(const Triangle& a, const Triangle& b) {
 	return b[static_cast<std::size_t>(nextCorner(static_cast<int>(first - b.begin())))] == a[1];
 }
 
-// Makes faces on the same corners, at most one of each operand, one face.
+// Makes faces on the same corners one face. Unless the operands may meet themselves, they are at
+// most one of each.
 Status Builder::merge(const FaceEntry* begin, const FaceEntry* end) {
 	if (end - begin < 2) {
 		return {};
 	}
 	RefinedFace& first = out_.faces[begin->face];
-	const RefinedFace& second = out_.faces[(begin + 1)->face];
-	if (end - begin == 2 && !first.hasOwnersOf(second)) {
-		first.sources[1] = second.source();
-		first.opposed = !runAlike(first.corners, second.corners);
-		isMerged_[(begin + 1)->face] = 1;
-		return {};
-	}
-	const OperandId operand = mesh_.operandOf(first.source());
-	std::vector<FaceId> faces;
-	for (const FaceEntry* e = begin; e != end; ++e) {
-		const FaceId source = out_.faces[e->face].source();
-		if (mesh_.operandOf(source) == operand) {
-			faces.push_back(source);
+	const OperandId operand = mesh_.operandOf(first.source);
+	std::vector<FaceId> ofOperand{first.source};
+	first.others = static_cast<std::uint32_t>(out_.others.size());
+	for (const FaceEntry* e = begin + 1; e != end; ++e) {
+		const RefinedFace& other = out_.faces[e->face];
+		if (mesh_.operandOf(other.source) == operand) {
+			ofOperand.push_back(other.source);
 		}
+		out_.others.push_back(
+		    {other.source, !runAlike(first.corners, other.corners), e + 1 == end});
+		isMerged_[e->face] = 1;
 	}
-	return selfIntersecting(arrangement_, operand, faces, arrangement_.coordinates(begin->low));
+	const bool isFine = arrangement_.isSoup || (ofOperand.size() == 1 && end - begin == 2);
+	return isFine ? Status{}
+	              : selfIntersecting(arrangement_, operand, ofOperand,
+	                                 arrangement_.coordinates(begin->low));
 }
 
 Status Builder::mergeCoincident() {
@@ -205,12 +203,39 @@ Status Builder::mergeCoincident() {
 	return status;
 }
 
+// Whether the surface goes on across an edge that two triangles have: the same operands have both,
+// and, of a closed operand in a soup, as often, the same way.
+bool Builder::haveSameOwners(HalfEdgeId a, HalfEdgeId b) const {
+	const RefinedFace &face = out_.faceOf(a), &next = out_.faceOf(b);
+	if (face.others == kNone && next.others == kNone) {
+		return mesh_.operandOf(face.source) == mesh_.operandOf(next.source);
+	}
+	if (!arrangement_.isSoup) {
+		return face.others != kNone && next.others != kNone;
+	}
+	std::map<OperandId, int> difference;  // of the jumps; of open operands, of the numbers of faces
+	const bool runAlike = out_.beginOf(a) == out_.beginOf(b);
+	const auto count = [&](int sign) {
+		return [&, sign](FaceId source, bool opposed) {
+			const OperandId operand = mesh_.operandOf(source);
+			const bool isSigned = arrangement_.closed[operand] &&
+			                      arrangement_.options.windingRule != WindingRule::Odd;
+			const bool isNegative = isSigned && (opposed != (sign < 0 && runAlike));
+			difference[operand] += isNegative ? -sign : sign;
+		};
+	};
+	out_.visitSources(face, count(1));
+	out_.visitSources(next, count(-1));
+	return std::all_of(difference.begin(), difference.end(),
+	                   [](const auto& entry) { return entry.second == 0; });
+}
+
 // Takes the half-edges of one edge; one that parts goes to `parting`.
 void Builder::join(const EdgeEntry* begin, const EdgeEntry* end, PartingEdges& parting) {
 	const HalfEdgeId first = begin->item;
 	if (end - begin == 2) {
 		const HalfEdgeId second = (begin + 1)->item;
-		if (out_.faceOf(first).hasOwnersOf(out_.faceOf(second))) {
+		if (haveSameOwners(first, second)) {
 			at(out_.mates, first) = second;
 			at(out_.mates, second) = first;
 			return;

@@ -13,19 +13,19 @@
 
 namespace index_boolean {
 
-// A triangle of the arrangement: an input face that is not cut, or a piece of one. Where both
-// operands have it, it is one triangle with two sources.
+// A triangle of the arrangement: an input face that is not cut, or a piece of one. Where several
+// input faces have it, it is one triangle with several sources.
 struct RefinedFace {
-	Triangle corners;               // turned as the first of its sources
-	std::array<FaceId, 2> sources;  // per operand: the face that it is, or is a piece of; or none()
-	bool opposed;                   // it has two sources, and the second is turned the other way
+	Triangle corners;      // turned as its first source
+	FaceId source;         // the input face that it is, or is a piece of: of several, the smallest
+	std::uint32_t piece;   // the piece that it is of that source, or kNone
+	std::uint32_t others;  // its other sources: SurfaceComplex::others from here on, or kNone
+};
 
-	// The input face that `corners` is turned as.
-	FaceId source() const { return sources[0] != FaceId::none() ? sources[0] : sources[1]; }
-	bool hasOwnersOf(const RefinedFace& other) const {
-		return (sources[0] == FaceId::none()) == (other.sources[0] == FaceId::none()) &&
-		       (sources[1] == FaceId::none()) == (other.sources[1] == FaceId::none());
-	}
+// A source of a triangle but for its first. `opposed`: it is turned the other way.
+struct OtherSource {
+	FaceId face;
+	bool opposed, isLast;
 };
 
 // Edge i of the near face n is the half-edge 3 * n + i; it runs from corner i to the next one.
@@ -41,12 +41,22 @@ struct PartingEdge {
 // way; only the near faces, those with a corner that is not plain, need be looked at edge by edge.
 struct SurfaceComplex {
 	HugeVector<RefinedFace> faces;   // the uncut ones in the order of their sources, then pieces
+	std::vector<OtherSource> others;  // of triangles with several sources, ascending for each
 	HugeVector<std::uint8_t> plain;  // per input vertex; empty: no vertex is plain
 	std::vector<std::uint32_t> nearFaces;  // faces; ascending
 	HugeVector<HalfEdgeId> mates;      // per half-edge: the one across, or none() at a parting edge
 	                                   // and between two plain vertices
 	std::vector<PartingEdge> parting;  // sorted by low, then by high
 	std::vector<HalfEdgeId> halfEdges;  // of the parting edges
+
+	// Calls visit(input face, whether it is turned the other way) for each source of a triangle.
+	template <class Visit>
+	void visitSources(const RefinedFace& face, Visit&& visit) const {
+		visit(face.source, false);
+		for (std::size_t i = face.others; i != kNone; i = others[i].isLast ? kNone : i + 1) {
+			visit(others[i].face, others[i].opposed);
+		}
+	}
 
 	bool isPlain(VertexId v) const { return v.value < plain.size() && at(plain, v) != 0; }
 	std::uint32_t faceAt(HalfEdgeId h) const { return nearFaces[h.value / 3]; }

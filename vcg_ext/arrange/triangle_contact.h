@@ -33,9 +33,16 @@ struct NamedContact {
 	bool generic;
 };
 
+// A point inside the segment of a contact, where a third face meets both.
+struct InnerPoint {
+	std::uint32_t contact;
+	VertexId point;
+};
+
 struct Contacts {
 	std::vector<NamedContact> pairs;
 	std::vector<PointName> names;
+	std::vector<InnerPoint> inner;  // of a soup, see triple_contact.h; sorted by contact
 };
 
 // Finds how two faces meet; count is 0 if they do not. Complexity: O(1); a dozen orient3d for a

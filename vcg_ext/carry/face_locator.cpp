@@ -107,7 +107,8 @@ int FaceLocator::zeroCorner(const Triangle& given, VertexId v) const {
 	}
 	case PointKind::Vertex:
 	case PointKind::OnEdge:
-		return -1;  // names of input vertices
+	case PointKind::FaceFaceFace:
+		return -1;  // names of input vertices; of a point that lies on no edge by name
 	}
 	return -1;
 }

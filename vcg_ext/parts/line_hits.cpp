@@ -59,7 +59,7 @@ private:
 	}
 	PlaneCorners planeOf(std::uint32_t face) const {
 		const Points& points = arrangement_.mesh.points;
-		const Triangle& t = at(arrangement_.mesh.triangles, complex_.faces[face].source());
+		const Triangle& t = at(arrangement_.mesh.triangles, complex_.faces[face].source);
 		return {&at(points, t[0]), &at(points, t[1]), &at(points, t[2])};
 	}
 	int facingOf(std::uint32_t face, const AxisLine& line) const {
@@ -187,7 +187,7 @@ void Caster::cast(std::uint32_t line, Found& found) const {
 
 // Two faces that are not the same overlap here.
 Status Caster::refuseOverlap(std::uint32_t face) const {
-	const FaceId source = complex_.faces[face].source();
+	const FaceId source = complex_.faces[face].source;
 	const MeshArrays& mesh = arrangement_.mesh;
 	return selfIntersecting(arrangement_, mesh.operandOf(source), {source},
 	                        at(mesh.points, at(mesh.triangles, source)[0]));

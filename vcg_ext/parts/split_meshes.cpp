@@ -193,12 +193,13 @@ Status collectSubSurfaces(const Arrangement& arrangement, const SubSurfaces& sur
 	collector.expect(faces.size());
 	const auto choose = [&](std::size_t begin, std::size_t end) {
 		for (std::size_t f = begin; f < end; ++f) {
-			const FaceId source = faces[f].sources[operand.value];
-			if (source != FaceId::none()) {
-				const bool isOther = source != faces[f].source();
-				collector.choose(
-				    {static_cast<std::uint32_t>(f), {source, false}, isOther && faces[f].opposed});
-			}
+			bool isChosen = false;  // once, however often the operand has it
+			surfaces.complex.visitSources(faces[f], [&](FaceId source, bool opposed) {
+				if (!isChosen && arrangement.mesh.operandOf(source) == operand) {
+					collector.choose({static_cast<std::uint32_t>(f), {source, false}, opposed});
+					isChosen = true;
+				}
+			});
 		}
 	};
 	const Status status = inOrderFor(faces.size(), kGrain, monitor, choose);
@@ -220,7 +221,7 @@ Status collectSubBlock(const Arrangement& arrangement, const SubSurfaces& surfac
 		for (std::uint32_t i = surface.firstFace; i < surface.firstFace + surface.faceCount; ++i) {
 			const std::uint32_t face = surfaces.faces[i];
 			const bool turned = side.isBack == (surfaces.turned[face] != 0);
-			collector.choose({face, {surfaces.complex.faces[face].source(), turned}, turned});
+			collector.choose({face, {surfaces.complex.faces[face].source, turned}, turned});
 		}
 	}
 	return collector.run(true);

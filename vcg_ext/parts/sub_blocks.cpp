@@ -45,9 +45,9 @@ namespace {
 // Side 2 * s of sub-surface s is its front, 2 * s + 1 its back.
 class Assembler {
 public:
-	Assembler(const Arrangement& arrangement, const SubSurfaces& surfaces, Monitor& monitor,
-	          SubBlocks& out)
-	    : arrangement_(arrangement), surfaces_(surfaces), complex_(surfaces.complex),
+	Assembler(const Arrangement& arrangement, const SubSurfaces& surfaces, Walls walls,
+	          Monitor& monitor, SubBlocks& out)
+	    : arrangement_(arrangement), surfaces_(surfaces), complex_(surfaces.complex), walls_(walls),
 	      monitor_(monitor), out_(out), sides_(2 * surfaces.all.size() + 1),
 	      parts_(surfaces.all.size()),
 	      outside_(static_cast<std::uint32_t>(2 * surfaces.all.size())) {}
@@ -71,6 +71,7 @@ private:
 	int windingAt(OperandId operand, std::uint32_t side) const;
 	Status refuseWindings(OperandId operand, std::uint32_t surface) const;
 	int windingStep(OperandId operand, std::uint32_t surface) const;
+	std::int32_t counted(std::int32_t winding) const;
 
 	std::uint32_t surfaceOf(std::uint32_t face) const { return surfaces_.ofFace[face].value; }
 	std::uint32_t sideOf(std::uint32_t face, bool isBack) const {
@@ -80,6 +81,7 @@ private:
 	const Arrangement& arrangement_;
 	const SubSurfaces& surfaces_;
 	const SurfaceComplex& complex_;
+	Walls walls_;
 	Monitor& monitor_;
 	SubBlocks& out_;
 	UnionFind sides_;  // of sub-surfaces, and the outside; sets: the parts of space
@@ -87,10 +89,21 @@ private:
 	std::uint32_t outside_;
 };
 
-// At a free border both sides face the same part of space; so do those of a one-sided surface.
+// At a free border both sides face the same part of space; so do those of a one-sided surface, and
+// of what is not to count as a wall.
 void Assembler::uniteAtBorders() {
+	const auto changesNothing = [&](std::uint32_t s) {
+		bool isWall = false;
+		complex_.visitSources(complex_.faces[surfaces_.faces[surfaces_.all[s].firstFace]],
+		                      [&](FaceId source, bool) {
+			                      const OperandId operand = arrangement_.mesh.operandOf(source);
+			                      isWall = isWall || !arrangement_.closed[operand] ||
+			                               counted(windingStep(operand, s)) != 0;
+		                      });
+		return !isWall;
+	};
 	for (std::uint32_t s = 0; s < surfaces_.all.size(); ++s) {
-		if (surfaces_.all[s].oneSided) {
+		if (surfaces_.all[s].oneSided || (walls_ == Walls::Jumps && changesNothing(s))) {
 			sides_.unite(2 * s, 2 * s + 1);
 		}
 	}
@@ -111,7 +124,7 @@ Status Assembler::uniteAround(const PartingEdge& edge) {
 	std::vector<HalfPlane> halfPlanes;
 	for (std::uint32_t i = edge.first; i < edge.first + edge.count; ++i) {
 		const HalfEdgeId h = complex_.halfEdges[i];
-		halfPlanes.push_back({complex_.faceOf(h).source(), complex_.beginOf(h) == edge.low});
+		halfPlanes.push_back({complex_.faceOf(h).source, complex_.beginOf(h) == edge.low});
 	}
 	std::vector<RadialPlace> places;
 	bool sorted = sortAround(arrangement_, edge.low, edge.high, halfPlanes, places);
@@ -120,6 +133,9 @@ Status Assembler::uniteAround(const PartingEdge& edge) {
 	}
 	if (!sorted) {
 		const FaceId face = halfPlanes[0].face;
+		if (arrangement_.isSoup) {
+			return statusOf(StatusCode::InternalError);
+		}
 		return selfIntersecting(arrangement_, arrangement_.mesh.operandOf(face), {face},
 		                        arrangement_.coordinates(edge.low));
 	}
@@ -137,10 +153,12 @@ Status Assembler::uniteAround(const PartingEdge& edge) {
 }
 
 // All edges of a loop have the same sub-surfaces around them in the same order: one edge will do.
+// In a soup a loop's edges may have others, and each is looked at.
 Status Assembler::uniteAtLoops() {
+	static const std::vector<Loop> none;
 	std::vector<std::uint8_t> done(complex_.parting.size());
 	Status status;
-	for (const Loop& loop : arrangement_.loops) {
+	for (const Loop& loop : arrangement_.isSoup ? none : arrangement_.loops) {
 		for (std::size_t i = 0; i + 1 < loop.points.size(); ++i) {
 			const PartingEdge* edge = complex_.partingEdge(loop.points[i], loop.points[i + 1]);
 			if (edge == nullptr) {
@@ -162,7 +180,7 @@ Status Assembler::uniteAtLoops() {
 
 // Whether a face runs along the lines. A line from within it can pass all else by, and so be slow.
 bool Assembler::isUpright(std::uint32_t face) const {
-	const Triangle& t = at(arrangement_.mesh.triangles, complex_.faces[face].source());
+	const Triangle& t = at(arrangement_.mesh.triangles, complex_.faces[face].source);
 	const Points& points = arrangement_.mesh.points;
 	return orient2d(at(points, t[0]), at(points, t[1]), at(points, t[2]), kLineAxis) == 0;
 }
@@ -303,24 +321,41 @@ void Assembler::fillBlocks() {
 
 // How an operand's winding number rises from the front of a sub-surface to its back.
 int Assembler::windingStep(OperandId operand, std::uint32_t surface) const {
-	const std::uint32_t first = surfaces_.faces[surfaces_.all[surface].firstFace];
-	const RefinedFace& face = complex_.faces[first];
-	if (!arrangement_.closed[operand] || face.sources[operand.value] == FaceId::none()) {
+	if (!arrangement_.closed[operand]) {
 		return 0;
 	}
-	const bool isOther = operand == kSecond && face.sources[0] != FaceId::none() && face.opposed;
-	const bool runsAlike = isOther == (surfaces_.turned[first] != 0);
-	return runsAlike != arrangement_.insideOut[operand] ? 1 : -1;
+	const std::uint32_t first = surfaces_.faces[surfaces_.all[surface].firstFace];
+	int step = 0;
+	complex_.visitSources(complex_.faces[first], [&](FaceId source, bool opposed) {
+		if (arrangement_.mesh.operandOf(source) == operand) {
+			step += opposed != (surfaces_.turned[first] != 0) ? -1 : 1;
+		}
+	});
+	return arrangement_.insideOut[operand] ? -step : step;
 }
 
-// A closed operand that does not part space consistently intersects itself.
+// Of an operand of which only the parity of windings counts.
+std::int32_t Assembler::counted(std::int32_t winding) const {
+	const bool isOdd = arrangement_.isSoup && arrangement_.options.windingRule == WindingRule::Odd;
+	return isOdd ? winding & 1 : winding;
+}
+
+// A closed operand that does not part space consistently intersects itself; a soup's operand does
+// part it so.
 Status Assembler::refuseWindings(OperandId operand, std::uint32_t surface) const {
+	if (arrangement_.isSoup) {
+		return statusOf(StatusCode::InternalError);
+	}
 	const SubSurface& wrong = surfaces_.all[surface];
 	std::vector<FaceId> faces;
 	VertexId corner{};
 	for (std::uint32_t i = wrong.firstFace; i < wrong.firstFace + wrong.faceCount; ++i) {
 		const RefinedFace& face = complex_.faces[surfaces_.faces[i]];
-		faces.push_back(face.sources[operand.value]);
+		complex_.visitSources(face, [&](FaceId source, bool) {
+			if (arrangement_.mesh.operandOf(source) == operand) {
+				faces.push_back(source);
+			}
+		});
 		corner = face.corners[0];
 	}
 	return selfIntersecting(arrangement_, operand, faces, arrangement_.coordinates(corner));
@@ -329,7 +364,8 @@ Status Assembler::refuseWindings(OperandId operand, std::uint32_t surface) const
 // Goes from block to block through the sub-surfaces between them, from the outside on.
 Status Assembler::walkWindings() {
 	const std::size_t outside = out_.all.size();
-	std::vector<PerOperand<std::int32_t>> windings(outside + 1);
+	std::vector<PerOperand<std::int32_t>> windings(
+	    outside + 1, PerOperand<std::int32_t>(arrangement_.mesh.operands().count()));
 	std::vector<std::uint8_t> known(outside + 1);
 	std::vector<std::size_t> reached{outside};
 	known[outside] = 1;
@@ -350,7 +386,8 @@ Status Assembler::walkWindings() {
 			const std::size_t next = blockAt(s, toBack ? 1 : 0);
 			PerOperand<std::int32_t> there = windings[block];
 			for (const OperandId operand : there.operands()) {
-				there[operand] += (toBack ? 1 : -1) * windingStep(operand, s);
+				const int step = (toBack ? 1 : -1) * windingStep(operand, s);
+				there[operand] = counted(there[operand] + step);
 				if (known[next] != 0 && windings[next][operand] != there[operand]) {
 					return refuseWindings(operand, s);
 				}
@@ -386,9 +423,13 @@ Status Assembler::checkWindings(OperandId operand, const std::vector<std::uint32
 	                                   monitor_, queries);
 	const int sign = arrangement_.insideOut[operand] ? -1 : 1;
 	for (std::size_t i = 0; i < faces.size() && status.ok(); ++i) {
-		if (windingAt(operand, sideOf(faces[i], false)) != sign * queries[i].inFront ||
-		    windingAt(operand, sideOf(faces[i], true)) != sign * queries[i].behind) {
-			const FaceId face = complex_.faces[faces[i]].source();
+		const auto [inFront, behind] = std::pair(queries[i].inFront, queries[i].behind);
+		if (windingAt(operand, sideOf(faces[i], false)) != counted(sign * inFront) ||
+		    windingAt(operand, sideOf(faces[i], true)) != counted(sign * behind)) {
+			const FaceId face = complex_.faces[faces[i]].source;
+			if (arrangement_.isSoup) {
+				return statusOf(StatusCode::InternalError);
+			}
 			return selfIntersecting(arrangement_, operand,
 			                        operand == arrangement_.mesh.operandOf(face)
 			                            ? std::vector<FaceId>{face}
@@ -400,12 +441,23 @@ Status Assembler::checkWindings(OperandId operand, const std::vector<std::uint32
 }
 
 // Parts of an operand that pass through each other have no common edge, so the walk may not show
-// it: a count at one face of each part is a witness of its own.
+// it: a count at one face of each part is a witness of its own. So it is at one face of each block:
+// that the walk agrees with itself says nothing of the order of faces around an edge.
 Status Assembler::checkWindings() {
 	std::vector<std::uint32_t> faces;
+	std::vector<std::uint8_t> isWitnessed(out_.all.size(), 0);
+	const auto needsWitness = [&](std::int32_t block) {
+		return block != kNoBlock && isWitnessed[static_cast<std::size_t>(block)] == 0;
+	};
 	for (std::uint32_t s = 0; s < surfaces_.all.size(); ++s) {
-		if (parts_.root(s) == s) {
+		const std::array<std::int32_t, 2>& beside = out_.beside[s];
+		if (parts_.root(s) == s || needsWitness(beside[0]) || needsWitness(beside[1])) {
 			faces.push_back(surfaces_.faces[surfaces_.all[s].firstFace]);
+			for (const std::int32_t block : beside) {
+				if (block != kNoBlock) {
+					isWitnessed[static_cast<std::size_t>(block)] = 1;
+				}
+			}
 		}
 	}
 	Status status;
@@ -433,10 +485,10 @@ Status Assembler::run() {
 
 }  // namespace
 
-Status findSubBlocks(const Arrangement& arrangement, const SubSurfaces& surfaces, Monitor& monitor,
-                     SubBlocks& out) {
+Status findSubBlocks(const Arrangement& arrangement, const SubSurfaces& surfaces, Walls walls,
+                     Monitor& monitor, SubBlocks& out) {
 	out = SubBlocks{};
-	return Assembler(arrangement, surfaces, monitor, out).run();
+	return Assembler(arrangement, surfaces, walls, monitor, out).run();
 }
 
 }  // namespace index_boolean

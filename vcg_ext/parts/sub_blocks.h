@@ -40,13 +40,17 @@ struct SubBlocks {
 	std::vector<std::uint8_t> separates;
 };
 
+// What parts space: every sub-surface, or only those that a winding number changes across and those
+// of open operands.
+enum class Walls : std::uint8_t { All, Jumps };
+
 // Finds the sub-blocks of an arrangement.
 // \param surfaces of the same arrangement
-// \return Ok, Cancelled, OutOfMemory, InternalError; SelfIntersecting where faces overlap that are
-//         not the same
+// \return Ok, Cancelled, OutOfMemory, InternalError; unless it is a soup, SelfIntersecting where
+//         faces overlap that are not the same
 // Complexity: O(n + c log c) for n triangles and c loops, and one ray for each part of the surfaces
 // that no edge joins to others.
-Status findSubBlocks(const Arrangement& arrangement, const SubSurfaces& surfaces, Monitor& monitor,
-                     SubBlocks& out);
+Status findSubBlocks(const Arrangement& arrangement, const SubSurfaces& surfaces, Walls walls,
+                     Monitor& monitor, SubBlocks& out);
 
 }  // namespace index_boolean

@@ -241,13 +241,15 @@ Status SubSurfaceFinder::listRuns() {
 void SubSurfaceFinder::addSubSurface(std::uint32_t smallest) {
 	const SubSurfaceId id = makeId<SubSurfaceTag>(out_.all.size());
 	SubSurface surface{};
-	surface.number = {-1, -1};
-	for (const OperandId operand : out_.ofOperand.operands()) {
-		if (complex_.faces[smallest].sources[operand.value] != FaceId::none()) {
+	surface.number = PerOperand<std::int32_t>(arrangement_.mesh.operands().count());
+	std::fill(surface.number.begin(), surface.number.end(), -1);
+	complex_.visitSources(complex_.faces[smallest], [&](FaceId source, bool) {
+		const OperandId operand = arrangement_.mesh.operandOf(source);
+		if (surface.number[operand] < 0) {
 			surface.number[operand] = static_cast<std::int32_t>(out_.ofOperand[operand].size());
 			out_.ofOperand[operand].push_back(id);
 		}
-	}
+	});
 	const Triangle& corners = complex_.faces[smallest].corners;
 	const Triangle ordered = cornersInOrder(smallest);
 	const auto first = std::find(corners.begin(), corners.end(), ordered[0]) - corners.begin();
@@ -475,6 +477,8 @@ Status SubSurfaceFinder::run() {
 
 Status findSubSurfaces(const Arrangement& arrangement, Monitor& monitor, SubSurfaces& out) {
 	out = SubSurfaces{};
+	out.ofOperand =
+	    PerOperand<std::vector<SubSurfaceId>>(arrangement.mesh.operands().count());
 	return SubSurfaceFinder(arrangement, monitor, out).run();
 }
 

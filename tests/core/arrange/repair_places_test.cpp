@@ -338,7 +338,7 @@ TEST(RepairPlaces, operandsAreRoundedFirstWhereThatHelps) {
 	const BooleanRun r = run(ball, movedBy(ball, 1e-9), options);
 	ASSERT_TRUE(r.status.ok()) << describe(r.status);
 	EXPECT_EQ(r.arrangement.placeRepair.faultsAfter, 0U);
-	EXPECT_FALSE(r.arrangement.options.checkSelfIntersections);
+	EXPECT_EQ(r.arrangement.options.selfIntersections, SelfIntersections::Trust);
 	for (const Point& p : r.arrangement.mesh.points) {
 		EXPECT_EQ(p[0], static_cast<float>(p[0]));
 	}

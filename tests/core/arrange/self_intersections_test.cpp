@@ -71,7 +71,7 @@ Arrangement asked(const Mesh& a, const Mesh& b, Options options = {}) {
 	Arrangement arrangement;
 	arrangement.mesh = arrays(a, b);
 	arrangement.options = options;
-	arrangement.options.checkSelfIntersections = true;
+	arrangement.options.selfIntersections = SelfIntersections::Refuse;
 	return arrangement;
 }
 
@@ -333,14 +333,14 @@ TEST(SelfIntersections, theResultDependsOnNeitherThreadsNorTheOctree) {
 TEST(SelfIntersections, nothingIsSearchedUnlessAsked) {
 	const Mesh both = joined(box({0, 0, 0}, {2, 2, 2}), box({1, 1, 1}, {3, 3, 3}));
 	Arrangement arrangement = prepared(both, kAway);
-	arrangement.options.checkSelfIntersections = false;
+	arrangement.options.selfIntersections = SelfIntersections::Trust;
 	EXPECT_TRUE(found(arrangement).ok());
 }
 
 TEST(SelfIntersections, aRunIsRefusedFarFromTheOtherOperandOnlyIfAsked) {
 	const Mesh both = joined(box({0, 0, 0}, {4, 4, 4}), box({3, -1, -1.5}, {9, 5, 5.25}));
 	Options options;
-	options.checkSelfIntersections = true;
+	options.selfIntersections = SelfIntersections::Refuse;
 	const BooleanRun r = run(kAway, both, options);
 	EXPECT_EQ(r.status.code, StatusCode::SelfIntersecting);
 	EXPECT_EQ(r.status.operand, 1);
