@@ -175,7 +175,7 @@ constexpr Purpose kCells{true, true}, kSplitSoup{false, true};
 
 // All stages of the arrangement of two embedded operands, in the order in which data flows.
 void arrangeEmbedded(bool forBlocks, MeshArrays input, const Options& options, Monitor& monitor,
-                 Stages& stages, Arrangement& out) {
+                     Stages& stages, Arrangement& out) {
 	out.options = options;
 	out.mesh = std::move(input);
 	std::vector<FacePair> pairs;
@@ -203,8 +203,8 @@ void arrangeEmbedded(bool forBlocks, MeshArrays input, const Options& options, M
 }
 
 // All stages of a soup's arrangement.
-void arrangeSoup(bool forBlocks, MeshArrays input, const Options& options, Monitor& monitor, Stages& stages,
-                 Arrangement& out) {
+void arrangeSoup(bool forBlocks, MeshArrays input, const Options& options, Monitor& monitor,
+                 Stages& stages, Arrangement& out) {
 	out.options = options;
 	out.mesh = std::move(input);
 	Contacts contacts;
@@ -306,6 +306,13 @@ bool isOnlyForEmbedded(StatusCode code, SelfIntersections selfIntersections) {
 	}
 }
 
+Status arrangeAgain(Purpose purpose, const InputAgain& again, const Options& options,
+                    Monitor& monitor, Arrangement& out) {
+	MeshArrays input;
+	const Status status = guarded([&] { return again(input); });
+	return status.ok() ? arrangeFor(purpose, std::move(input), options, monitor, out) : status;
+}
+
 // Ok, or the first operand of which no block can be made: it is open, or encloses nothing.
 Status refuseEmptyOperands(const Arrangement& arrangement) {
 	return forEachOperand(arrangement.mesh.operands(), [&](OperandId operand) {
@@ -330,16 +337,8 @@ Status arrangeOperands(MeshArrays input, const InputAgain& again, const Options&
 	if (!isOnlyForEmbedded(status.code, options.selfIntersections)) {
 		return status;
 	}
-	return inOrder([&] { return arrangeCells(again(), options, monitor, out); },
+	return inOrder([&] { return arrangeAgain(kCells, again, options, monitor, out); },
 	               [&] { return refuseEmptyOperands(out); });
-}
-
-Status splitOperands(MeshArrays input, const InputAgain& again, const Options& options,
-                     Monitor& monitor, Arrangement& out) {
-	const Status status = arrangeSurfaces(std::move(input), options, monitor, out);
-	return isOnlyForEmbedded(status.code, options.selfIntersections)
-	           ? arrangeFor(kSplitSoup, again(), options, monitor, out)
-	           : status;
 }
 
 namespace {
@@ -440,6 +439,32 @@ Status findParts(const Arrangement& arrangement, bool alsoBlocks, Monitor& monit
 
 Status split(const Arrangement& arrangement, Monitor& monitor, Split& out) {
 	return findParts(arrangement, true, monitor, out);
+}
+
+namespace {
+
+// What an embedded operand may not do shows in the arrangement, or when its parts are found.
+Status splitAny(const InputAgain& again, bool alsoBlocks, MeshArrays input, const Options& options,
+                Monitor& monitor, Arrangement& out, Split& parts) {
+	const auto find = [&] { return findParts(out, alsoBlocks, monitor, parts); };
+	const Status status =
+	    inOrder([&] { return arrangeSurfaces(std::move(input), options, monitor, out); }, find);
+	if (!isOnlyForEmbedded(status.code, options.selfIntersections)) {
+		return status;
+	}
+	return inOrder([&] { return arrangeAgain(kSplitSoup, again, options, monitor, out); }, find);
+}
+
+}  // namespace
+
+Status splitOperands(MeshArrays input, const InputAgain& again, const Options& options,
+                     Monitor& monitor, Arrangement& out, Split& parts) {
+	return splitAny(again, true, std::move(input), options, monitor, out, parts);
+}
+
+Status splitOperandSurfaces(MeshArrays input, const InputAgain& again, const Options& options,
+                            Monitor& monitor, Arrangement& out, Split& parts) {
+	return splitAny(again, false, std::move(input), options, monitor, out, parts);
 }
 
 Status splitSurfaces(const Arrangement& arrangement, Monitor& monitor, Split& out) {

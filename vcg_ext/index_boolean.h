@@ -56,24 +56,18 @@ Status arrangeCells(MeshArrays input, const Options& options, Monitor& monitor, 
 Status extractBlock(const Arrangement& arrangement, const CellPredicate& isInside, Monitor& monitor,
                     Block& out);
 
-// Makes a run's operands once more, for a run that begins again: as they were given.
-using InputAgain = std::function<MeshArrays()>;
+// Makes a run's operands once more, as they were given, for a run that begins again.
+using InputAgain = std::function<Status(MeshArrays& out)>;
 
 // Intersects two closed operands, which may meet themselves, for blocks: as arrange, and what that
 // refuses for being no embedded surfaces, as arrangeCells. options.selfIntersections says what is
 // searched and refused.
-// \param again called only then; may throw std::bad_alloc
+// \param again called only then; may throw std::bad_alloc; what it returns unless Ok is returned
 // \return any StatusCode: of operands that meet themselves, SelfIntersecting if that is asked for;
 //         NotClosed or NotOriented of what is open as it is cut; NoVolume of what has no inside
 // Complexity: of those two.
 Status arrangeOperands(MeshArrays input, const InputAgain& again, const Options& options,
                        Monitor& monitor, Arrangement& out);
-
-// The same for any two surfaces, for splitting: as arrangeSurfaces, and what meets itself, as one
-// soup. \return any StatusCode but NotClosed, NotOriented, NoVolume, NestedComponents
-// Complexity: as above.
-Status splitOperands(MeshArrays input, const InputAgain& again, const Options& options,
-                     Monitor& monitor, Arrangement& out);
 
 // Intersects any two surfaces, open or closed, orientable or not, for splitting: without labels, so
 // that no block can be read from the arrangement. Parameters as above.
@@ -98,6 +92,16 @@ Status split(const Arrangement& arrangement, Monitor& monitor, Split& out);
 // Finds the sub-surfaces alone: out.blocks stays empty.
 // \return Ok, Cancelled, OutOfMemory, InternalError. Complexity: as split.
 Status splitSurfaces(const Arrangement& arrangement, Monitor& monitor, Split& out);
+
+// Intersects any two surfaces, which may meet themselves, and finds all their parts, or the
+// sub-surfaces alone: as arrangeSurfaces and split, and what meets itself, as one soup.
+// options.selfIntersections and `again` as for arrangeOperands.
+// \return any StatusCode but NotClosed, NotOriented, NoVolume, NestedComponents
+// Complexity: of those two.
+Status splitOperands(MeshArrays input, const InputAgain& again, const Options& options,
+                     Monitor& monitor, Arrangement& out, Split& parts);
+Status splitOperandSurfaces(MeshArrays input, const InputAgain& again, const Options& options,
+                            Monitor& monitor, Arrangement& out, Split& parts);
 
 // The loops as polylines; see curve_lines.h. \return Ok, Cancelled, OutOfMemory
 // Complexity: O(k) for k points of the curve.

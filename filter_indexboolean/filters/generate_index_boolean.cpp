@@ -145,7 +145,9 @@ FilterOutput generateIndexBoolean(const ParameterValues& values, MeshDocument& d
 	seconds.readLayers = total.seconds();
 
 	BooleanResult result;
-	refuseDefect(runBoolean(std::move(read.arrays), request, progress, result), read, operands);
+	const InputAgain again = inputAgain(operands, read, progress);
+	refuseDefect(runBoolean(std::move(read.arrays), again, request, progress, result), read,
+	             operands);
 
 	const Stopwatch writing;
 	std::vector<MeshModel*> layers;

@@ -34,7 +34,9 @@ FilterOutput generateIndexBooleanCurves(const ParameterValues& values, MeshDocum
 	seconds.readLayers = total.seconds();
 
 	CurvesResult result;
-	refuseDefect(runCurves(std::move(read.arrays), options, progress, result), read, operands);
+	const InputAgain again = inputAgain(operands, read, progress);
+	refuseDefect(runCurves(std::move(read.arrays), again, options, progress, result), read,
+	             operands);
 
 	const Stopwatch writing;
 	std::vector<MeshModel*> layers;

@@ -157,7 +157,9 @@ FilterOutput generateIndexBooleanSplit(const ParameterValues& values, MeshDocume
 	seconds.readLayers = total.seconds();
 
 	SplitResult result;
-	refuseDefect(runSplit(std::move(read.arrays), request, progress, result), read, operands);
+	const InputAgain again = inputAgain(operands, read, progress);
+	refuseDefect(runSplit(std::move(read.arrays), again, request, progress, result), read,
+	             operands);
 
 	const Stopwatch writing;
 	std::vector<SplitLayer> layers = splitLayers(result, request, operands.names);

@@ -143,6 +143,9 @@ void addIncidence(const CurveLines& curves, const SubSurfaces& surfaces, ResultM
 
 // What every filter reports.
 void addReport(const RunReport& report, const AdapterSeconds& adapter, ResultMap& map) {
+	map["self_intersecting_faces_first"] = toInt(report.selfIntersecting[kFirst]);
+	map["self_intersecting_faces_second"] = toInt(report.selfIntersecting[kSecond]);
+	map["labelled_by_cells"] = report.isLabelledByCells;
 	map["loops_open"] = toInt(report.loopCounts.open);
 	map["loops_hard_closed"] = toInt(report.loopCounts.hardClosed);
 	map["loops_soft_closed"] = toInt(report.loopCounts.softClosed);

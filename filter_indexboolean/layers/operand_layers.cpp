@@ -4,6 +4,8 @@
 // Both layers are found and named before anything is read from them.
 #include "layers/operand_layers.h"
 
+#include <utility>
+
 namespace index_boolean {
 
 namespace {
@@ -52,7 +54,8 @@ Options readCommonOptions(FilterId filter, const ParameterValues& values) {
 	options.octreeLeafSize = numberInRange(filter, "octree_leaf_size", values);
 	options.outputScalar =
 	    sizeof(Scalarm) == sizeof(float) ? OutputScalar::Float : OutputScalar::Double;
-	options.checkSelfIntersections = values.getBool("check_self_intersections");
+	options.selfIntersections = static_cast<SelfIntersections>(values.getInt("self_intersections"));
+	options.windingRule = static_cast<WindingRule>(values.getInt("winding_rule"));
 	return options;
 }
 
@@ -77,6 +80,17 @@ void refuseDefect(const Status& status, const OperandArrays& read, const Operand
 		selectFaces(status.faces, read.elements[operand].faces, *operands.layers[operand]);
 	}
 	refuseUnlessOk(status, operands.names);
+}
+
+InputAgain inputAgain(const OperandLayers& operands, const OperandArrays& read,
+                      Progress& progress) {
+	return [&operands, &progress, faceClass = read.arrays.faceClass](MeshArrays& out) {
+		OperandArrays again;
+		const Status status = readLayers(operands.layers, progress, again);
+		out = std::move(again.arrays);
+		out.faceClass = faceClass;
+		return status;
+	};
 }
 
 OperandArrays readOperands(const OperandLayers& operands, Progress& progress) {

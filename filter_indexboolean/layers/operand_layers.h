@@ -39,6 +39,10 @@ void refuseUnlessOk(const Status& status, const LayerNames& names);
 // The same, with the status's faces left selected in the layer that they have been read from.
 void refuseDefect(const Status& status, const OperandArrays& read, const OperandLayers& operands);
 
+// Reads the layers once more, for a run that begins again. Borrows the layers and the progress.
+// \param read what has been read of them, of which the classes of faces are kept
+InputAgain inputAgain(const OperandLayers& operands, const OperandArrays& read, Progress& progress);
+
 // Both operands' arrays; throws Refusal if they cannot be read.
 OperandArrays readOperands(const OperandLayers& operands, Progress& progress);
 

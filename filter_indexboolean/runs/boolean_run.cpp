@@ -36,14 +36,22 @@ void addBlockTimes(const std::vector<Block>& blocks, std::vector<StageTime>& tim
 	}
 }
 
+// Certificates suppose operands that do not meet themselves.
+void forgetCertificates(std::vector<Block>& blocks) {
+	for (Block& block : blocks) {
+		block.certificate = Certificate{};
+	}
+}
+
 }  // namespace
 
-Status runBoolean(MeshArrays input, const BooleanRequest& request, Progress& progress,
-                  BooleanResult& result) {
+Status runBoolean(MeshArrays input, const InputAgain& again, const BooleanRequest& request,
+                  Progress& progress, BooleanResult& result) {
 	const Stopwatch total;
 	Arrangement arrangement;
 	Monitor arranging = progress.nextPhase(kArrangeShare);
-	Status status = arrange(std::move(input), request.options, arranging, arrangement);
+	Status status =
+	    arrangeOperands(std::move(input), again, request.options, arranging, arrangement);
 	if (!status.ok()) {
 		return status;
 	}
@@ -54,6 +62,9 @@ Status runBoolean(MeshArrays input, const BooleanRequest& request, Progress& pro
 		return status;
 	}
 	addBlockTimes(result.blocks, result.report.stageTimes);
+	if (!arrangement.areOperandsKnown()) {
+		forgetCertificates(result.blocks);
+	}
 
 	const Stopwatch auditTime;
 	Monitor auditing = progress.nextPhase(kAuditShare);

@@ -34,8 +34,8 @@ struct BooleanResult {
 // \param progress of which kRunShare is used up
 // \param result   meaningful only if the status is Ok
 // \return any StatusCode
-Status runBoolean(MeshArrays input, const BooleanRequest& request, Progress& progress,
-                  BooleanResult& result);
+Status runBoolean(MeshArrays input, const InputAgain& again, const BooleanRequest& request,
+                  Progress& progress, BooleanResult& result);
 
 // What the phases take of the progress bar; the rest is the adapter's.
 constexpr double kArrangeShare = 0.52, kBlocksShare = 0.14, kAuditShare = 0.08,

@@ -10,27 +10,22 @@ namespace index_boolean {
 
 namespace {
 
-constexpr double kArrangingShare = 0.6, kFindingShare = 0.15, kDrawingShare = 0.05;
+constexpr double kArrangingShare = 0.75, kDrawingShare = 0.05;
 
 }  // namespace
 
-Status runCurves(MeshArrays input, const Options& options, Progress& progress,
-                 CurvesResult& result) {
+Status runCurves(MeshArrays input, const InputAgain& again, const Options& options,
+                 Progress& progress, CurvesResult& result) {
 	const Stopwatch total;
 	Arrangement arrangement;
 	Monitor arranging = progress.nextPhase(kArrangingShare);
-	Status status = arrangeSurfaces(std::move(input), options, arranging, arrangement);
+	Split split;
+	Status status =
+	    splitOperandSurfaces(std::move(input), again, options, arranging, arrangement, split);
 	if (!status.ok()) {
 		return status;
 	}
 	result.report = reportOf(arrangement);
-
-	Monitor finding = progress.nextPhase(kFindingShare);
-	Split split;
-	status = splitSurfaces(arrangement, finding, split);
-	if (!status.ok()) {
-		return status;
-	}
 	result.surfaces = std::move(split.surfaces);
 	result.report.addStages(split.stageTimes);
 

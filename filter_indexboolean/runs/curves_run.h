@@ -23,7 +23,7 @@ struct CurvesResult {
 // \param input  moved in
 // \param result meaningful only if the status is Ok
 // \return any StatusCode
-Status runCurves(MeshArrays input, const Options& options, Progress& progress,
-                 CurvesResult& result);
+Status runCurves(MeshArrays input, const InputAgain& again, const Options& options,
+                 Progress& progress, CurvesResult& result);
 
 }  // namespace index_boolean

@@ -18,8 +18,10 @@ struct RunReport {
 	DuplicateFaces duplicates;
 	LoopCounts loopCounts;
 	PlaceRepair placeRepair;
-	std::vector<StageTime> stageTimes;  // in the order of the stages
-	double seconds = 0;                 // from arrays to arrays
+	bool isLabelledByCells = false;            // operands that may meet themselves: one soup
+	PerOperand<std::size_t> selfIntersecting;  // faces of each that meet others of it wrongly
+	std::vector<StageTime> stageTimes;         // in the order of the stages
+	double seconds = 0;                        // from arrays to arrays
 
 	// The core's stages that have come to their end since.
 	void addStages(const std::vector<StageTime>& times) {
@@ -38,6 +40,8 @@ inline RunReport reportOf(const Arrangement& arrangement) {
 	report.duplicates = arrangement.duplicates;
 	report.loopCounts = arrangement.loopCounts;
 	report.placeRepair = arrangement.placeRepair;
+	report.isLabelledByCells = arrangement.isSoup;
+	report.selfIntersecting = arrangement.selfIntersecting;
 	report.stageTimes = arrangement.stageTimes;
 	return report;
 }

@@ -10,7 +10,7 @@ namespace index_boolean {
 
 namespace {
 
-constexpr double kArrangingShare = 0.4, kFindingShare = 0.2, kMeshesShare = 0.1, kAuditShare = 0.05;
+constexpr double kArrangingShare = 0.6, kMeshesShare = 0.1, kAuditShare = 0.05;
 
 Status collectSurfaceMeshes(const SplitRequest& request, Progress& progress, SplitResult& result) {
 	Status status;
@@ -37,27 +37,36 @@ Status collectBlockMeshes(Progress& progress, SplitResult& result) {
 	return status;
 }
 
+// Certificates suppose operands that do not meet themselves.
+void forgetCertificates(SplitResult& result) {
+	for (SplitMesh& mesh : result.surfaceMeshes) {
+		mesh.certificate = Certificate{};
+	}
+	for (SplitMesh& mesh : result.blockMeshes) {
+		mesh.certificate = Certificate{};
+	}
+}
+
 }  // namespace
 
-Status runSplit(MeshArrays input, const SplitRequest& request, Progress& progress,
-                SplitResult& result) {
+Status runSplit(MeshArrays input, const InputAgain& again, const SplitRequest& request,
+                Progress& progress, SplitResult& result) {
 	const Stopwatch total;
 	Monitor arranging = progress.nextPhase(kArrangingShare);
-	Status status =
-	    arrangeSurfaces(std::move(input), request.options, arranging, result.arrangement);
+	Status status = splitOperands(std::move(input), again, request.options, arranging,
+	                              result.arrangement, result.split);
 	RunReport& report = result.report;
 	report = reportOf(result.arrangement);
-	if (status.ok()) {
-		Monitor monitor = progress.nextPhase(kFindingShare);
-		status = split(result.arrangement, monitor, result.split);
-		report.addStages(result.split.stageTimes);
-	}
+	report.addStages(result.split.stageTimes);
 	const Stopwatch meshesTime;
 	if (status.ok()) {
 		status = collectSurfaceMeshes(request, progress, result);
 	}
 	if (status.ok() && request.subBlocks) {
 		status = collectBlockMeshes(progress, result);
+	}
+	if (!result.arrangement.areOperandsKnown()) {
+		forgetCertificates(result);
 	}
 	report.addStage("split_meshes", meshesTime);
 	if (status.ok()) {

@@ -40,7 +40,7 @@ struct SplitResult {
 // \param input    moved in
 // \param result   meaningful only if the status is Ok
 // \return any StatusCode
-Status runSplit(MeshArrays input, const SplitRequest& request, Progress& progress,
-                SplitResult& result);
+Status runSplit(MeshArrays input, const InputAgain& again, const SplitRequest& request,
+                Progress& progress, SplitResult& result);
 
 }  // namespace index_boolean

@@ -22,10 +22,10 @@ const char* const kBooleanHelp =
     "union, intersection, both differences, symmetric difference.<br>"
     "<b>Exact:</b> there is no tolerance; new points are rounded once, faces that are not cut keep "
     "every bit of their coordinates, and the new layers are closed.<br>"
-    "<b>The layers</b> must be closed, consistently oriented and free of self-intersections, with "
-    "any number of components and cavities. One that is inside out is turned, faces that are there "
-    "twice are taken once, and the log says so. One that cannot be used is refused with its defect "
-    "and what to do, and the faces in question are left selected.<br>"
+    "<b>The layers</b> must be closed and consistently oriented, with any number of components and "
+    "cavities. One that meets itself is resolved, one that is inside out is turned, and the log "
+    "says so. One that cannot be used is refused with its defect and what to do, and the faces in "
+    "question are left selected.<br>"
     "The layers' matrices are applied. An empty block is an empty layer.<br>";
 
 const char* const kCurvesHelp =
@@ -50,7 +50,7 @@ const char* const kSplitHelp =
     "<b>block_front</b> and <b>block_back</b> (the sub-blocks on its two sides), faces of "
     "sub-blocks <b>sub_block</b> too; numbers start at 0, -1 is the outside. They do not depend on "
     "the order of vertices and faces.<br>"
-    "The layers' matrices are applied. Each layer must be free of self-intersections.<br>";
+    "The layers' matrices are applied. A layer that meets itself is cut by itself, too.<br>";
 
 constexpr ParameterKind kBool = ParameterKind::Bool, kInt = ParameterKind::Int,
                         kChoice = ParameterKind::Choice;
@@ -67,17 +67,32 @@ const ParameterDefinition kSecondSurface =
     layerParameter("second_mesh", 1, "Second layer",
                    "The second operand, B: open or closed, another layer than the first.");
 
-const ParameterDefinition kCheckSelfIntersections{
-    "check_self_intersections",
-    kBool,
+const ParameterDefinition kSelfIntersections{
+    "self_intersections",
+    kChoice,
     0,
     0,
-    1,
+    2,
     false,
-    "Check for self-intersections",
-    "Searches each layer for faces that meet others of the same layer anywhere but in a common "
-    "vertex or edge, before anything else; a layer that has any is refused, and all of them are "
-    "selected. Off: self-intersections are noticed only where the other layer comes near."};
+    "Self-intersections",
+    "What is done about a layer whose faces meet others of it anywhere but in a common vertex or "
+    "edge. resolve: each layer is searched, and one that meets itself is taken for what its "
+    "winding rule says. trust: no search, for layers that are known to be clean; what shows all "
+    "the same is resolved. refuse: searched and refused, with the faces selected.",
+    {"resolve", "trust", "refuse"}};
+
+const ParameterDefinition kWindingRule{
+    "winding_rule",
+    kChoice,
+    0,
+    0,
+    2,
+    false,
+    "Winding rule",
+    "What is inside a layer that meets itself, by how often its surface winds around a place. "
+    "nonzero: all places that it winds around. positive: only where it does so right side out. "
+    "odd: where it does so an odd number of times; the faces may be turned anyhow.",
+    {"nonzero", "positive", "odd"}};
 
 const ParameterDefinition kCertify{
     "certify",
@@ -163,7 +178,8 @@ FilterDefinition booleanDefinition() {
 	         "Where a block meets itself in an edge or a vertex, it keeps one vertex instead of "
 	         "copies: edges with four faces. Off: copies of vertices pull the faces apart, so that "
 	         "each block is a manifold mesh."},
-	        kCheckSelfIntersections,
+	        kSelfIntersections,
+	        kWindingRule,
 	        kCertify,
 	        kCertifyAs,
 	        {"transfer_attributes", kBool, 1, 0, 1, false, "Transfer attributes",
@@ -212,7 +228,8 @@ FilterDefinition splitDefinition() {
 	        {"max_layers", kInt, 64, 1, 1000, false, "Most layers",
 	         "1 to 1000. If there are more pieces, all of a kind go into one layer, told apart by "
 	         "their numbers and colours; the log says so."},
-	        kCheckSelfIntersections,
+	        kSelfIntersections,
+	        kWindingRule,
 	        kCertify,
 	        kCertifyAs,
 	        kOctreeMaxDepth,
@@ -230,7 +247,8 @@ FilterDefinition curvesDefinition() {
 	    {
 	        kFirstSurface,
 	        kSecondSurface,
-	        kCheckSelfIntersections,
+	        kSelfIntersections,
+	        kWindingRule,
 	        kOctreeMaxDepth,
 	        kOctreeLeafSize,
 	    },

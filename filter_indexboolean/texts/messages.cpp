@@ -49,7 +49,8 @@ constexpr std::array<Remedy, kStatusCodeCount> kRemedies{{
      "the filter for open surfaces."},
     {StatusCode::NotOriented, Subject::OneLayer,
      "The faces at these edges are selected. Make the orientation consistent with \"Re-Orient all "
-     "faces coherently\" (meshing_re_orient_faces_coherently)."},
+     "faces coherently\" (meshing_re_orient_faces_coherently); or set winding_rule to odd, which "
+     "does without."},
     {StatusCode::NoVolume, Subject::OneLayer,
      "It is flat, or each of its faces is there in both directions. \"Remove Duplicate Faces\" "
      "(meshing_remove_duplicate_faces) removes doubled faces."},
@@ -58,12 +59,8 @@ constexpr std::array<Remedy, kStatusCodeCount> kRemedies{{
      "Orientation\" (meshing_invert_face_orientation) on the selection; unite components that lie "
      "inside each other first, as two layers."},
     {StatusCode::SelfIntersecting, Subject::OneLayer,
-     "The faces found are selected. Set check_self_intersections to have all of them found; "
-     "\"Select Self Intersecting Faces\" (compute_selection_by_self_intersections_per_face) shows "
-     "those that cross. Delete them and close the holes with \"Close Holes\" "
-     "(meshing_close_holes); or, where components overlap each other, part them with \"Split in "
-     "Connected Components\" (generate_splitting_by_connected_components) and unite them by this "
-     "filter."},
+     "The faces found are selected. With self_intersections = resolve the layer is taken for what "
+     "its winding rule says."},
     {StatusCode::InternalError, Subject::Run,
      "Nothing was changed: no result is better than a wrong one. Both layers, as they are, belong "
      "to the report."},
@@ -185,11 +182,19 @@ std::string duplicatesMessage(const LayerName& layer, std::size_t takenOnce,
 	return text + ".";
 }
 
+std::string resolvedMessage(const LayerName& layer, std::size_t faces) {
+	return "Layer " + quoted(layer) + " meets itself in " + counted(faces, "face") +
+	       ", which have been resolved.";
+}
+
 std::vector<std::string> operandMessages(const RunReport& report, const LayerNames& layers) {
 	std::vector<std::string> messages;
 	for (const OperandId operand : layers.operands()) {
 		if (report.insideOut[operand]) {
 			messages.push_back(turnedMessage(layers[operand]));
+		}
+		if (report.selfIntersecting[operand] > 0) {
+			messages.push_back(resolvedMessage(layers[operand], report.selfIntersecting[operand]));
 		}
 		const std::size_t once = report.duplicates.takenOnce[operand];
 		const std::size_t cancelled = report.duplicates.cancelledPairs[operand];

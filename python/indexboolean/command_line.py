@@ -66,12 +66,19 @@ def _add_command(commands, name, run, text, description):
         "-o", dest="folder", type=pathlib.Path, metavar="DIR", required=True,
         help="where the files go; made if it is not there",
     )
-    command.add_argument(
-        "--check-self-intersections", action="store_true",
-        help="first search each mesh for faces that meet others anywhere but in a common vertex or "
-        "edge, and refuse it if there are any",
+    command.set_defaults(run=run, filter_options=[])
+    _add_filter_option(
+        command, "self_intersections", "--self-intersections",
+        choices=("resolve", "trust", "refuse"), default="resolve",
+        help="what is done about a mesh that meets itself: searched and taken for what its winding "
+        "rule says (default), not searched, or searched and refused",
     )
-    command.set_defaults(run=run, filter_options=["check_self_intersections"])
+    _add_filter_option(
+        command, "winding_rule", "--winding-rule", choices=("nonzero", "positive", "odd"),
+        default="nonzero",
+        help="what is inside a mesh that meets itself: all places that its surface winds around "
+        "(default), those where it does so right side out, or an odd number of times",
+    )
     return command
 
 

@@ -123,7 +123,7 @@ TEST(Messages, namesAreListed) {
 TEST(Messages, aSelfIntersectionIsSentToTheFullSearchAndToTheHostsOwn) {
 	const std::string message = refusal(StatusCode::SelfIntersecting, 1);
 	EXPECT_TRUE(contains(message, "intersects itself: 12345 faces are concerned")) << message;
-	EXPECT_TRUE(contains(message, "check_self_intersections")) << message;
+	EXPECT_TRUE(contains(message, "self_intersections = resolve")) << message;
 	EXPECT_TRUE(contains(message, "compute_selection_by_self_intersections_per_face")) << message;
 }
 
@@ -225,8 +225,11 @@ TEST(FilterDefinitions, switchesHaveTheDefaultsOfTheCore) {
 	EXPECT_EQ(defaultOf("merge_fragments"), options.mergeFragments);
 	EXPECT_EQ(defaultOf("merge_coplanar"), options.mergeCoplanar);
 	EXPECT_EQ(defaultOf("weld_non_manifold"), options.weldNonManifold);
-	EXPECT_EQ(defaultOf("self_intersections"), static_cast<int>(SelfIntersections::Resolve));
-	EXPECT_EQ(defaultOf("winding_rule"), static_cast<int>(options.windingRule));
+	const auto choiceOf = [](const char* name) {
+		return parameterDefinition(FilterId::GenerateIndexBoolean, name).defaultValue;
+	};
+	EXPECT_EQ(choiceOf("self_intersections"), static_cast<int>(SelfIntersections::Resolve));
+	EXPECT_EQ(choiceOf("winding_rule"), static_cast<int>(options.windingRule));
 }
 
 TEST(FilterDefinitions, labelsHaveNoDotsThatTheHostWouldTakeForAFilesSuffix) {

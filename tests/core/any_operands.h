@@ -244,7 +244,15 @@ struct CellsRun {
 	}
 };
 
-inline CellsRun runCells(const std::vector<Mesh>& operands, const Options& options = {}) {
+// What many small runs are made with: more threads would wait for each other most of the time.
+inline Options onOneThread() {
+	Options options;
+	options.threads = 1;
+	return options;
+}
+
+inline CellsRun runCells(const std::vector<Mesh>& operands,
+                         const Options& options = onOneThread()) {
 	CellsRun r;
 	Monitor monitor;
 	std::vector<SurfaceView> views;
@@ -270,7 +278,7 @@ inline Block blockOf(const CellsRun& r, const CellPredicate& isInside) {
 
 // As the arrangement has it: no cut is merged away, nothing is copied.
 inline Options asCut() {
-	Options options;
+	Options options = onOneThread();
 	options.mergeFragments = false;
 	options.weldNonManifold = true;
 	return options;

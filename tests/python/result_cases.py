@@ -52,7 +52,7 @@ ATTRIBUTE_RUNS = (
 SAMPLE_RUNS = (
     *STANDARD_RUNS,
     (BOOLEAN, "checked_with_curves",
-     {**ALL_BLOCKS, "check_self_intersections": True, "curves": True}),
+     {**ALL_BLOCKS, "self_intersections": "refuse", "curves": True}),
     (SPLIT, "separate", {"separate_layers": True}),
 )
 SHIFT = ((1, 0, 0, 0.0625), (0, 1, 0, 0.03125), (0, 0, 1, -0.015625), (0, 0, 0, 1))

@@ -129,7 +129,9 @@ def test_switchesReachTheFilter(tmp_path):
     switches = "--no-merge-fragments", "--merge-coplanar", "--weld-non-manifold"
     done = run("boolean", *files, "-o", tmp_path / "out", *switches)
     assert done.returncode == 0, done.stderr
-    switches += ("--check-self-intersections",)
+    record = json.loads((tmp_path / "out/result.json").read_text())
+    assert "33" in json.dumps(record)
+    switches += ("--self-intersections", "refuse")
     done = run("boolean", *files, "-o", tmp_path / "out", *switches)
     assert done.returncode == 1
     assert "bars.ply" in done.stderr

@@ -35,7 +35,8 @@ def stages():
 
 def drivers_stages():
     driver = (ROOT / "vcg_ext" / "index_boolean.cpp").read_text()
-    return [*re.findall(r'stages\.run\("(\w+)"', driver), "audit", "attributes"]
+    # A stage that both kinds of arrangement have is written twice.
+    return [*dict.fromkeys(re.findall(r'stages\.run\("(\w+)"', driver)), "audit", "attributes"]
 
 
 def test_stageTablesHaveTheDriversStagesInTheDriversOrder():

@@ -307,6 +307,9 @@ class TestResultMap:
         result = document(FIRST, SECOND).generate_index_boolean(symmetric_difference=True)
         expected = {
             "volume_law_residual": float,
+            "self_intersecting_faces_first": int,
+            "self_intersecting_faces_second": int,
+            "labelled_by_cells": bool,
             "loops_open": int,
             "loops_hard_closed": int,
             "loops_soft_closed": int,
@@ -621,7 +624,8 @@ class TestSwitches:
             {"merge_fragments": False},
             {"merge_coplanar": True},
             {"weld_non_manifold": True},
-            {"check_self_intersections": True},
+            {"self_intersections": "refuse"},
+            {"self_intersections": "trust"},
         ],
         ids=lambda switch: next(iter(switch)),
     )
@@ -639,7 +643,7 @@ class TestSwitches:
         meshes[place] = crossing_bars()
         mesh_set = document(*meshes)
         select(mesh_set, place, "fi < 2")
-        message = refused(mesh_set, named=[place], check_self_intersections=True)
+        message = refused(mesh_set, named=[place], self_intersections="refuse")
         selected = selected_faces(mesh_set, place)
         assert f"intersects itself: {len(selected)} faces are concerned, the first near" in message
         assert min(selected) < 12 <= max(selected)
@@ -654,12 +658,12 @@ class TestSwitches:
         expected = oracles.faces_that_cross(vertices, faces)
         assert expected
         mesh_set = document((vertices, faces), FAR_AWAY)
-        refused(mesh_set, named=[0], check_self_intersections=True)
+        refused(mesh_set, named=[0], self_intersections="refuse")
         assert selected_faces(mesh_set, 0) == expected
 
     def test_componentsThatShareACornerOrAnEdgeArePassed(self):
         touching = joined(FIRST, box((2, 2, 0), (4, 4, 2)), box((4, 4, 2), (5, 5, 3)))
-        result = document(touching, FAR_AWAY).generate_index_boolean(check_self_intersections=True)
+        result = document(touching, FAR_AWAY).generate_index_boolean(self_intersections="refuse")
         assert result["union_volume"] == pytest.approx(18)
 
 

@@ -356,7 +356,7 @@ class TestRefusals:
     def test_aSelfIntersectionIsFoundAndSelectedIfAsked(self):
         mesh_set = document(joined(SHEET, bumpy_sheet((1, 0, 0.1), 0.2, 1, 5)), CUBE)
         with pytest.raises(pymeshlab.PyMeshLabException, match="intersects itself"):
-            mesh_set.generate_index_boolean_split(check_self_intersections=True)
+            mesh_set.generate_index_boolean_split(self_intersections="refuse")
         assert selected_faces(mesh_set, 0)
 
     def test_theBooleanNamesThisFilterForAnOpenOperand(self):

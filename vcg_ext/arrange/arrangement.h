@@ -21,8 +21,8 @@ enum class OutputScalar : std::uint8_t { Double, Float };
 // What is done about operands that meet themselves: their faces cross, touch or lie on one another.
 enum class SelfIntersections : std::uint8_t {
 	Resolve,  // each operand is searched; one that meets itself is what its winding rule says
-	Trust,    // no search: the caller knows that there are none; what shows all the same is resolved
-	Refuse,   // each operand is searched; one that meets itself is refused
+	Trust,   // no search: the caller knows that there are none; what shows all the same is resolved
+	Refuse,  // each operand is searched; one that meets itself is refused
 };
 
 // What is inside an operand that meets itself, by the winding number of its surface.
@@ -118,11 +118,12 @@ struct CutEdge {
 // All are empty where the operands do not meet, but for onOther and irregular.
 struct Curve {
 	// [curve_points]
-	std::vector<PointName> names;       // of the new points
-	Points rounded;                     // their coordinates, correctly rounded to double
-	std::vector<std::uint8_t> onOther;  // per input vertex: it lies on the other operand; in a soup,
-	                                    // on a face that has no corner there, or two operands have it
-	std::vector<FaceId> touchedFaces;   // sorted
+	std::vector<PointName> names;  // of the new points
+	Points rounded;                // their coordinates, correctly rounded to double
+	std::vector<std::uint8_t>
+	    onOther;  // per input vertex: it lies on the other operand; in a soup,
+	              // on a face that has no corner there, or two operands have it
+	std::vector<FaceId> touchedFaces;  // sorted
 	// [cut_lines]
 	std::vector<CutEdge> cutEdges;
 	std::vector<VertexId> pointsOnEdges;
@@ -209,6 +210,14 @@ struct CellLabels {
 	// Per face that is not cut, and per piece: the cells in front of it and behind it. They are the
 	// same where it is no wall, or where another one on its corners stands for it.
 	HugeVector<Sides> ofFace, ofPiece;
+	// The other input faces that have a piece, too, and whether they are turned the other way; by
+	// piece, ascending.
+	struct Source {
+		std::uint32_t piece;
+		FaceId face;
+		bool opposed;
+	};
+	std::vector<Source> otherSources;
 
 	bool areKnown() const { return !windings.empty(); }
 };
@@ -263,15 +272,15 @@ struct Arrangement {
 	std::vector<VertexId> nonManifold;     // at which an operand is no manifold; ascending
 	PerOperand<bool> seams;                // vertices of the operand in one place have become one
 	bool isSoup = false;                   // of any operands, which may meet themselves (soup.h)
-	PerOperand<bool> closed;               // each edge of the operand has as many faces each way; in
-	                                       // a soup, each edge of its pieces, or, for the rule Odd,
-	                                       // it has an even number of faces
-	PerOperand<bool> insideOut;            // the operand is closed and was given inside out; for
-	                                       // blocks it has been turned
+	PerOperand<bool> closed;     // each edge of the operand has as many faces each way; in
+	                             // a soup, each edge of its pieces, or, for the rule Odd,
+	                             // it has an even number of faces
+	PerOperand<bool> insideOut;  // the operand is closed and was given inside out; for
+	                             // blocks it has been turned
 	DuplicateFaces duplicates;
 	PerOperand<std::size_t> selfIntersecting;  // faces that meet others of the same operand
 	                                           // wrongly; [soup_contacts], else 0
-	PerOperand<double> volume;  // of each operand that is closed, else 0
+	PerOperand<double> volume;                 // of each operand that is closed, else 0
 	// [curve_points] and [cut_lines]
 	Curve curve;
 	// [retriangulate]
@@ -289,6 +298,10 @@ struct Arrangement {
 	// the driver
 	std::vector<StageTime> stageTimes;  // in the order of the stages
 
+	// Whether it is known where the operands meet themselves: they have been searched.
+	bool areOperandsKnown() const {
+		return isSoup || options.selfIntersections != SelfIntersections::Trust;
+	}
 	// The index of a face in its operand's triangles as given.
 	std::uint32_t givenFace(FaceId f) const {
 		return faceGiven.empty() ? f.value - mesh.faceOffsets.begin(mesh.operandOf(f))

@@ -40,11 +40,11 @@ public:
 	template <class Visit>
 	void visitIntervals(const std::array<VertexId, 2>& ends, VertexId from, VertexId to,
 	                    Visit&& visit) const {
-		const auto edge = std::lower_bound(
-		    curve_.cutEdges.begin(), curve_.cutEdges.end(), ends,
-		    [](const CutEdge& e, const std::array<VertexId, 2>& wanted) {
-			    return e.low != wanted[0] ? e.low < wanted[0] : e.high < wanted[1];
-		    });
+		const auto edge =
+		    std::lower_bound(curve_.cutEdges.begin(), curve_.cutEdges.end(), ends,
+		                     [](const CutEdge& e, const std::array<VertexId, 2>& wanted) {
+			                     return e.low != wanted[0] ? e.low < wanted[0] : e.high < wanted[1];
+		                     });
 		const std::uint32_t first = placeOf(*edge, from), last = placeOf(*edge, to);
 		for (std::uint32_t i = first; i != last; i += first < last ? 1 : -1) {
 			visit(pointAt(*edge, i), pointAt(*edge, first < last ? i + 1 : i - 1));
@@ -131,8 +131,8 @@ void LineCollector::addSide(std::uint32_t contact, std::uint32_t first, std::uin
 		return;
 	}
 	const NamedContact& c = contacts_.pairs[contact];
-	const std::array<VertexId, 2> edge = edgeAlong(
-	    arrangement_.mesh, {c.a, c.b}, contacts_.names[first], contacts_.names[second]);
+	const std::array<VertexId, 2> edge =
+	    edgeAlong(arrangement_.mesh, {c.a, c.b}, contacts_.names[first], contacts_.names[second]);
 	if (edge[0] == VertexId::none()) {
 		addInside(contact);
 		return;
@@ -225,8 +225,8 @@ void LineCollector::collect() {
 }  // namespace
 
 void collectContactLines(const Arrangement& arrangement, const Contacts& contacts,
-                         const std::vector<VertexId>& vertexOfName,
-                         std::vector<ContactLine>& lines, std::vector<FaceVertex>& faceVertices) {
+                         const std::vector<VertexId>& vertexOfName, std::vector<ContactLine>& lines,
+                         std::vector<FaceVertex>& faceVertices) {
 	lines.clear();
 	faceVertices.clear();
 	LineCollector(arrangement, contacts, vertexOfName, lines, faceVertices).collect();

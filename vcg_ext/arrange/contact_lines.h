@@ -40,7 +40,7 @@ inline bool isQuietEdge(const MeshArrays& mesh, VertexId a, VertexId b) {
 // \pre arrangement.curve has its cut edges, with their points in order. Throws std::bad_alloc.
 // Complexity: O(c log c) for c contacts and points.
 void collectContactLines(const Arrangement& arrangement, const Contacts& contacts,
-                         const std::vector<VertexId>& vertexOfName,
-                         std::vector<ContactLine>& lines, std::vector<FaceVertex>& faceVertices);
+                         const std::vector<VertexId>& vertexOfName, std::vector<ContactLine>& lines,
+                         std::vector<FaceVertex>& faceVertices);
 
 }  // namespace index_boolean

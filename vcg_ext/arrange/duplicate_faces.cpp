@@ -186,7 +186,8 @@ Status refuse(const Arrangement& arrangement, OperandId operand, const Duplicate
 }
 
 // Decides whether the repeated faces of an operand go, stay because the operand is open anyway, or
-// mean that it overlaps itself. Cancelling faces make no difference to closedness.
+// mean that it overlaps itself, as a soup's operand may. Cancelling faces make no difference to
+// closedness.
 Status judgeRepeated(const Arrangement& arrangement, OperandId operand, Monitor& monitor,
                      Duplicates& duplicates) {
 	if (duplicates.repeated.empty()) {
@@ -210,7 +211,7 @@ Status judgeRepeated(const Arrangement& arrangement, OperandId operand, Monitor&
 	if (!status.ok() || all == ofRepeated) {
 		return status;
 	}
-	if (all == 0) {
+	if (all == 0 && !arrangement.isSoup) {
 		return refuse(arrangement, operand, duplicates);
 	}
 	duplicates.repeated.clear();
@@ -258,6 +259,31 @@ Status removeDuplicateFaces(Arrangement& arrangement, Monitor& monitor) {
 		arrangement.duplicates.cancelledPairs[operand] = cancelling.size() / 2;
 		arrangement.duplicates.takenOnce[operand] = repeated.size();
 		faces.insert(faces.end(), cancelling.begin(), cancelling.end());
+		faces.insert(faces.end(), repeated.begin(), repeated.end());
+		return status;
+	};
+	const Status status =
+	    inOrder([&] { return findAllDuplicates(arrangement, monitor, judge, found); },
+	            [&] { return forEachOperand(mesh.operands(), judgeOperand); });
+	if (status.ok() && !faces.empty()) {
+		std::sort(faces.begin(), faces.end());
+		drop(faces, arrangement);
+	}
+	return status;
+}
+
+Status takeRepeatedFacesOnce(Arrangement& arrangement, Monitor& monitor) {
+	const MeshArrays& mesh = arrangement.mesh;
+	PerOperand<Duplicates> found(mesh.operands().count());
+	std::vector<std::uint32_t> faces;
+	const auto judgeOperand = [&](OperandId operand) {
+		if (arrangement.closed[operand]) {
+			return Status{};
+		}
+		const Status status = judgeRepeated(arrangement, operand, monitor, found[operand]);
+		const std::vector<std::uint32_t>& repeated = found[operand].repeated;
+		arrangement.duplicates.takenOnce[operand] = repeated.size();
+		arrangement.closed[operand] = !repeated.empty();
 		faces.insert(faces.end(), repeated.begin(), repeated.end());
 		return status;
 	};

@@ -27,4 +27,10 @@ Status removeDuplicateFaces(Arrangement& arrangement, Monitor& monitor);
 // Complexity: as above.
 Status takeDuplicateFacesOnce(Arrangement& arrangement, Monitor& monitor);
 
+// Drops, within each operand of a soup that is not closed but would be so, all but one of equal
+// faces, which are counted as taken once; the operand is closed then. All others stay, since a
+// soup's faces count as often as they are there.
+// \pre closed is known, by edges. \return Ok, Cancelled, OutOfMemory. Complexity: as above.
+Status takeRepeatedFacesOnce(Arrangement& arrangement, Monitor& monitor);
+
 }  // namespace index_boolean

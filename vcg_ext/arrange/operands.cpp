@@ -539,9 +539,10 @@ Status weldSoup(Arrangement& arrangement, Monitor& monitor) {
 	const auto checkPlaces = [&] {
 		const double most = largestCoordinate(arrangement.options.outputScalar);
 		const auto isFine = [&](VertexId v) { return isWithin(at(mesh.points, v), most); };
-		const bool areFine = std::all_of(
-		    mesh.triangles.begin(), mesh.triangles.end(),
-		    [&](const Triangle& t) { return isFine(t[0]) && isFine(t[1]) && isFine(t[2]); });
+		const bool areFine =
+		    std::all_of(mesh.triangles.begin(), mesh.triangles.end(), [&](const Triangle& t) {
+			    return isFine(t[0]) && isFine(t[1]) && isFine(t[2]);
+		    });
 		return areFine ? Status{} : refuseCorners(arrangement, StatusCode::NotFinite);
 	};
 	return inOrder([&] { return checkSizes(mesh, arrangement.options.mostElements); },
@@ -650,8 +651,12 @@ Status prepareSoup(Arrangement& arrangement, Monitor& monitor) {
 	               [&] { return cleanZeroAreaFaces(arrangement, monitor, seen, cleaned); },
 	               [&] {
 		               weldOperandsTogether(arrangement.mesh);
-		               findSoupNonManifold(arrangement);
 		               return findClosed(arrangement, monitor);
+	               },
+	               [&] { return takeRepeatedFacesOnce(arrangement, monitor); },
+	               [&] {
+		               findSoupNonManifold(arrangement);
+		               return Status{};
 	               },
 	               [&] { return joinPolygons(arrangement, monitor); });
 }

@@ -18,8 +18,8 @@ namespace index_boolean {
 Status findRefinedClosed(Arrangement& arrangement, Monitor& monitor);
 
 // Says where an operand is not closed, or not consistently oriented, as cut.
-// \pre it is not closed \return NotClosed or NotOriented, with the number of edges, a place, and the
-// faces at these edges as given. Complexity: O(n log n) for its n triangles.
+// \pre it is not closed \return NotClosed or NotOriented, with the number of edges, a place, and
+// the faces at these edges as given. Complexity: O(n log n) for its n triangles.
 Status refuseOpen(const Arrangement& arrangement, OperandId operand);
 
 }  // namespace index_boolean

@@ -22,8 +22,7 @@ bool areAllClosed(const Arrangement& arrangement) {
 // The same two edges have one name, whatever face is asked about first.
 void nameSmallerEdgeFirst(PointName& name) {
 	auto& ids = name.ids;
-	if (name.kind == PointKind::EdgeEdge &&
-	    std::pair(ids[2], ids[3]) < std::pair(ids[0], ids[1])) {
+	if (name.kind == PointKind::EdgeEdge && std::pair(ids[2], ids[3]) < std::pair(ids[0], ids[1])) {
 		std::swap(ids[0], ids[2]);
 		std::swap(ids[1], ids[3]);
 	}
@@ -73,9 +72,8 @@ std::vector<EdgeFace> edgesBetweenShared(const Arrangement& arrangement) {
 void addCommonEdge(const MeshArrays& mesh, const EdgeFace* begin, const EdgeFace* end,
                    std::vector<FacePair>& out) {
 	const OperandId operand = mesh.operandOf(begin->item);
-	const EdgeFace* const other = std::find_if(begin, end, [&](const EdgeFace& e) {
-		return mesh.operandOf(e.item) != operand;
-	});
+	const EdgeFace* const other = std::find_if(
+	    begin, end, [&](const EdgeFace& e) { return mesh.operandOf(e.item) != operand; });
 	if (other != end) {
 		out.push_back({begin->item, other->item});
 	}
@@ -110,14 +108,14 @@ Status findSoupContacts(Arrangement& arrangement, Monitor& monitor, Contacts& ou
 	const FacesView faces{mesh.points, mesh.triangles.data(), mesh.triangles.size()};
 	const WrongPairOptions options{arrangement.options.threads, areAllClosed(arrangement)};
 	WrongPairs found;
-	const Status status =
-	    inOrder([&] { return findWrongPairs(faces, options, monitor, found); },
-	            [&] {
-		            countSelfIntersecting(found.pairs, arrangement);
-		            return addCommonEdges(arrangement, monitor, found.pairs);
-	            },
-	            [&] { return checkCounts(found.pairs.size(), 0, arrangement.options.mostElements); },
-	            [&] { return findContacts(arrangement, found.pairs, monitor, out); });
+	const Status status = inOrder(
+	    [&] { return findWrongPairs(faces, options, monitor, found); },
+	    [&] {
+		    countSelfIntersecting(found.pairs, arrangement);
+		    return addCommonEdges(arrangement, monitor, found.pairs);
+	    },
+	    [&] { return checkCounts(found.pairs.size(), 0, arrangement.options.mostElements); },
+	    [&] { return findContacts(arrangement, found.pairs, monitor, out); });
 	for (PointName& name : out.names) {
 		nameSmallerEdgeFirst(name);
 	}

@@ -51,9 +51,9 @@ public:
 		const FaceId few = isFirstShorter ? f : g, many = isFirstShorter ? g : f;
 		const Neighbour* const end = endOf(many);
 		for (const Neighbour* n = beginOf(few); n != endOf(few); ++n) {
-			const Neighbour* const found = std::lower_bound(
-			    beginOf(many), end, n->face,
-			    [](const Neighbour& m, FaceId wanted) { return m.face < wanted; });
+			const Neighbour* const found =
+			    std::lower_bound(beginOf(many), end, n->face,
+			                     [](const Neighbour& m, FaceId wanted) { return m.face < wanted; });
 			if (found != end && found->face == n->face) {
 				visit(n->face, isFirstShorter ? n->contact : found->contact,
 				      isFirstShorter ? found->contact : n->contact);
@@ -184,9 +184,8 @@ void TripleFinder::addPointsOf(const NamedContact& other, FaceId plane, const Li
 
 // Whether a contact is a segment with its ends strictly on different sides of a face's plane.
 bool TripleFinder::crosses(const NamedContact& segment, FaceId plane) const {
-	return segment.count == 2 && side(plane, pointOf(segment, 0)) *
-	                                     side(plane, pointOf(segment, 1)) <
-	                                 0;
+	return segment.count == 2 &&
+	       side(plane, pointOf(segment, 0)) * side(plane, pointOf(segment, 1)) < 0;
 }
 
 void TripleFinder::find(std::uint32_t contact, ChunkPoints& out) const {
@@ -241,13 +240,13 @@ Status findTripleContacts(Arrangement& arrangement, const std::vector<VertexId>&
 	constexpr std::size_t kGrain = 256;
 	const TripleFinder finder(arrangement, contacts, vertexOfName);
 	std::vector<ChunkPoints> chunks(chunkCount(contacts.pairs.size(), kGrain));
-	const Status status = parallelForChunks(
-	    contacts.pairs.size(), kGrain, arrangement.options.threads, monitor,
-	    [&](std::size_t chunk, std::size_t begin, std::size_t end) {
-		    for (std::size_t i = begin; i < end; ++i) {
-			    finder.find(static_cast<std::uint32_t>(i), chunks[chunk]);
-		    }
-	    });
+	const Status status =
+	    parallelForChunks(contacts.pairs.size(), kGrain, arrangement.options.threads, monitor,
+	                      [&](std::size_t chunk, std::size_t begin, std::size_t end) {
+		                      for (std::size_t i = begin; i < end; ++i) {
+			                      finder.find(static_cast<std::uint32_t>(i), chunks[chunk]);
+		                      }
+	                      });
 	std::vector<NamedInner> named;
 	for (const ChunkPoints& chunk : chunks) {
 		contacts.inner.insert(contacts.inner.end(), chunk.known.begin(), chunk.known.end());

@@ -47,9 +47,8 @@ bool weld(MeshArrays& mesh, std::uint32_t begin, std::uint32_t end, std::uint32_
 void weldEachOperand(MeshArrays& mesh, PerOperand<bool>& welded) {
 	welded = PerOperand<bool>(mesh.operands().count());
 	for (const OperandId operand : mesh.operands()) {
-		welded[operand] =
-		    weld(mesh, mesh.faceOffsets.begin(operand), mesh.faceOffsets.end(operand),
-		         mesh.vertexOffsets.begin(operand), mesh.vertexOffsets.end(operand));
+		welded[operand] = weld(mesh, mesh.faceOffsets.begin(operand), mesh.faceOffsets.end(operand),
+		                       mesh.vertexOffsets.begin(operand), mesh.vertexOffsets.end(operand));
 	}
 }
 

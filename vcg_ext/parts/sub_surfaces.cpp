@@ -477,8 +477,7 @@ Status SubSurfaceFinder::run() {
 
 Status findSubSurfaces(const Arrangement& arrangement, Monitor& monitor, SubSurfaces& out) {
 	out = SubSurfaces{};
-	out.ofOperand =
-	    PerOperand<std::vector<SubSurfaceId>>(arrangement.mesh.operands().count());
+	out.ofOperand = PerOperand<std::vector<SubSurfaceId>>(arrangement.mesh.operands().count());
 	return SubSurfaceFinder(arrangement, monitor, out).run();
 }
 

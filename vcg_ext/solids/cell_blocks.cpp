@@ -27,7 +27,10 @@ public:
 	void markSuspects();
 
 private:
-	void add(const Triangle& corners, FaceId source, const CellLabels::Sides& sides);
+	std::array<Point, 3> placesOf(FaceId face) const;
+	FaceSource shownSource(FaceId first, std::uint32_t piece, bool turned) const;
+	void add(const Triangle& corners, FaceId source, std::uint32_t piece,
+	         const CellLabels::Sides& sides);
 
 	const Arrangement& arrangement_;
 	const MeshArrays& mesh_;
@@ -36,8 +39,36 @@ private:
 	std::vector<std::uint32_t> numbers_;  // per vertex: in the block
 };
 
+// The corners' places in lexicographic order.
+std::array<Point, 3> CellCollector::placesOf(FaceId face) const {
+	const Triangle& t = at(mesh_.triangles, face);
+	std::array<Point, 3> places{at(mesh_.points, t[0]), at(mesh_.points, t[1]),
+	                            at(mesh_.points, t[2])};
+	std::sort(places.begin(), places.end());
+	return places;
+}
+
+// Of the input faces that have a kept piece the one that it is shown as a part of: one that is
+// turned as the block is, if any, and of these the one whose corners come first.
+FaceSource CellCollector::shownSource(FaceId first, std::uint32_t piece, bool turned) const {
+	FaceSource shown{first, turned};
+	const auto& all = arrangement_.cells.otherSources;
+	const auto before = [](const CellLabels::Source& s, std::uint32_t p) { return s.piece < p; };
+	for (auto s = std::lower_bound(all.begin(), all.end(), piece, before);
+	     s != all.end() && s->piece == piece; ++s) {
+		const FaceSource other{s->face, turned != s->opposed};
+		const bool isBetter = other.turned != shown.turned
+		                          ? shown.turned
+		                          : placesOf(other.face) < placesOf(shown.face);
+		shown = isBetter ? other : shown;
+	}
+	return shown;
+}
+
 // Adds a triangle if its cells differ. Corners keep their numbers in the arrangement for now.
-void CellCollector::add(const Triangle& corners, FaceId source, const CellLabels::Sides& sides) {
+// \param piece or kNone, if it is an input face
+void CellCollector::add(const Triangle& corners, FaceId source, std::uint32_t piece,
+                        const CellLabels::Sides& sides) {
 	const bool isFrontInside = isInside_[sides[0]] != 0;
 	if (isFrontInside == (isInside_[sides[1]] != 0)) {
 		return;
@@ -47,7 +78,8 @@ void CellCollector::add(const Triangle& corners, FaceId source, const CellLabels
 	}
 	out_.triangles.push_back({corners[0].value, corners[isFrontInside ? 2 : 1].value,
 	                          corners[isFrontInside ? 1 : 2].value});
-	out_.faceSource.push_back({source, isFrontInside});
+	out_.faceSource.push_back(piece == kNone ? FaceSource{source, isFrontInside}
+	                                         : shownSource(source, piece, isFrontInside));
 }
 
 void CellCollector::collectFaces() {
@@ -55,14 +87,15 @@ void CellCollector::collectFaces() {
 	const CellLabels& cells = arrangement_.cells;
 	for (std::size_t f = 0; f < mesh_.triangles.size(); ++f) {
 		if (refinement.isCut[f] == 0) {
-			add(mesh_.triangles[f], makeId<FaceTag>(f), cells.ofFace[f]);
+			add(mesh_.triangles[f], makeId<FaceTag>(f), kNone, cells.ofFace[f]);
 		}
 	}
 	out_.firstPiece = out_.triangles.size();
 	for (std::size_t i = 0; i < refinement.cutFaces.size(); ++i) {
 		const Refinement::PieceRange pieces = refinement.piecesOf(i);
 		for (std::size_t piece = pieces.begin; piece < pieces.end; ++piece) {
-			add(refinement.pieces[piece], refinement.cutFaces[i].face, cells.ofPiece[piece]);
+			add(refinement.pieces[piece], refinement.cutFaces[i].face,
+			    static_cast<std::uint32_t>(piece), cells.ofPiece[piece]);
 		}
 	}
 }

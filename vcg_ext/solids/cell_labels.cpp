@@ -55,6 +55,11 @@ void listSides(const Arrangement& arrangement, const SubSurfaces& surfaces, cons
 		    face.piece == kNone ? at(out.ofFace, face.source) : out.ofPiece[face.piece];
 		sides = {static_cast<std::uint32_t>(beside[front] + 1),
 		         static_cast<std::uint32_t>(beside[1 - front] + 1)};
+		surfaces.complex.visitSources(face, [&](FaceId source, bool opposed) {
+			if (source != face.source) {
+				out.otherSources.push_back({face.piece, source, opposed});
+			}
+		});
 	}
 }
 

@@ -499,7 +499,7 @@ TEST_P(AnyOperands, haveTheseBlocksAsCut) {
 
 TEST_P(AnyOperands, deliverTheirBlocksAsManifolds) {
 	for (const bool mergeCoplanar : {false, true}) {
-		Options options;
+		Options options = shapes::onOneThread();
 		options.mergeCoplanar = mergeCoplanar;
 		const CellsRun r = runCells(GetParam().operands, options);
 		ASSERT_TRUE(r.status.ok());

@@ -182,7 +182,8 @@ TEST(RandomLayers, boxesHaveTheCellsOfTheirUnitCubes) {
 TEST(RandomLayers, boxesHaveTheBlocksOfTheirUnitCubes) {
 	forEachBoxInput([](const std::vector<Mesh>& meshes, const voxels::Oracle& oracle) {
 		for (const bool isAsCut : {true, false}) {
-			const CellsRun r = shapes::runCells(meshes, isAsCut ? shapes::asCut() : Options{});
+			const CellsRun r =
+			    shapes::runCells(meshes, isAsCut ? shapes::asCut() : shapes::onOneThread());
 			ASSERT_TRUE(r.status.ok());
 			for (const Expression& e : expressions()) {
 				SCOPED_TRACE(std::string(e.name) + (isAsCut ? ", as cut" : ""));
@@ -288,7 +289,7 @@ TEST(RandomLayers, blocksKeepTheirPromisesAndHaveTheVolumeOfTheirCells) {
 	for (std::uint32_t seed = 0; seed < inputCount() && !HasFailure(); ++seed) {
 		const SolidLayers layers(seed);
 		SCOPED_TRACE("seed " + std::to_string(seed) + layers.text());
-		Options options;
+		Options options = shapes::onOneThread();
 		options.mergeFragments = seed % 2 == 0;
 		options.mergeCoplanar = seed % 3 == 0;
 		const CellsRun r = shapes::runCells(layers.meshes(), options);
