@@ -147,8 +147,8 @@ const std::vector<HardInput> kHardInputs{
 Options optionsOf(const CommandLine& commandLine) {
 	Options options;
 	options.threads = commandLine.threads;
-	options.selfIntersections = commandLine.checkSelfIntersections ? SelfIntersections::Refuse
-	                                                               : SelfIntersections::Trust;
+	options.selfIntersections =
+	    commandLine.checkSelfIntersections ? SelfIntersections::Refuse : SelfIntersections::Trust;
 	options.certify = commandLine.certify;
 	return options;
 }

@@ -444,12 +444,18 @@ Status split(const Arrangement& arrangement, Monitor& monitor, Split& out) {
 namespace {
 
 // What an embedded operand may not do shows in the arrangement, or when its parts are found.
-Status splitAny(const InputAgain& again, bool alsoBlocks, MeshArrays input, const Options& options,
-                Monitor& monitor, Arrangement& out, Split& parts) {
-	const auto find = [&] { return findParts(out, alsoBlocks, monitor, parts); };
+// \param find finds them
+template <class Find>
+Status splitAny(MeshArrays input, const InputAgain& again, const Options& options, Monitor& monitor,
+                Arrangement& out, Find&& find) {
 	const Status status =
 	    inOrder([&] { return arrangeSurfaces(std::move(input), options, monitor, out); }, find);
-	if (!isOnlyForEmbedded(status.code, options.selfIntersections)) {
+	// Faces that an operand has more than once are walls once, but may be what closes it.
+	const auto& once = out.duplicates.takenOnce;
+	const bool anyRepeated =
+	    std::any_of(once.begin(), once.end(), [](std::size_t count) { return count > 0; });
+	if (!isOnlyForEmbedded(status.code, options.selfIntersections) &&
+	    !(status.ok() && anyRepeated)) {
 		return status;
 	}
 	return inOrder([&] { return arrangeAgain(kSplitSoup, again, options, monitor, out); }, find);
@@ -459,16 +465,14 @@ Status splitAny(const InputAgain& again, bool alsoBlocks, MeshArrays input, cons
 
 Status splitOperands(MeshArrays input, const InputAgain& again, const Options& options,
                      Monitor& monitor, Arrangement& out, Split& parts) {
-	return splitAny(again, true, std::move(input), options, monitor, out, parts);
+	return splitAny(std::move(input), again, options, monitor, out,
+	                [&] { return split(out, monitor, parts); });
 }
 
 Status splitOperandSurfaces(MeshArrays input, const InputAgain& again, const Options& options,
                             Monitor& monitor, Arrangement& out, Split& parts) {
-	return splitAny(again, false, std::move(input), options, monitor, out, parts);
-}
-
-Status splitSurfaces(const Arrangement& arrangement, Monitor& monitor, Split& out) {
-	return findParts(arrangement, false, monitor, out);
+	return splitAny(std::move(input), again, options, monitor, out,
+	                [&] { return splitSurfaces(out, monitor, parts); });
 }
 
 Status extractCurve(const Arrangement& arrangement, Monitor& monitor, CurveLines& out) {

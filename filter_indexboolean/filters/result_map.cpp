@@ -110,14 +110,15 @@ void addCertificates(const SplitResult& result, const PieceLayers& layerIds, Res
 	}
 }
 
-void addSubBlocks(const std::vector<SubBlock>& blocks, ResultMap& map) {
+void addSubBlocks(const std::vector<SubBlock>& blocks, WindingRule rule, ResultMap& map) {
+	const auto isIn = [&](OperandId operand) {
+		return listOf(blocks, [=](const SubBlock& b) { return isInside(rule, b.windings[operand]); });
+	};
 	map["sub_blocks"] = toInt(blocks.size());
 	map["sub_blocks_volumes"] = listOf(blocks, [](const SubBlock& b) { return b.volume; });
 	map["sub_blocks_areas"] = listOf(blocks, [](const SubBlock& b) { return b.area; });
-	map["sub_blocks_in_first"] =
-	    listOf(blocks, [](const SubBlock& b) { return b.windings[kFirst]; });
-	map["sub_blocks_in_second"] =
-	    listOf(blocks, [](const SubBlock& b) { return b.windings[kSecond]; });
+	map["sub_blocks_in_first"] = isIn(kFirst);
+	map["sub_blocks_in_second"] = isIn(kSecond);
 }
 
 // Pairs of a loop and a sub-surface of an operand that it bounds, as two lists.
@@ -182,7 +183,7 @@ ResultMap resultMap(const SplitResult& result, const PieceLayers& layerIds,
 	for (const OperandId operand : result.surfaceMeshes.operands()) {
 		addSubSurfaces(result, operand, map);
 	}
-	addSubBlocks(result.split.blocks.all, map);
+	addSubBlocks(result.split.blocks.all, result.arrangement.options.windingRule, map);
 	addCertificates(result, layerIds, map);
 	for (std::size_t kind = 0; kind < layerIds.size(); ++kind) {
 		if (layerIds[kind].empty()) {

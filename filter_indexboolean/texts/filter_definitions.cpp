@@ -60,6 +60,13 @@ ParameterDefinition layerParameter(const char* name, int position, const char* l
 	return {name, ParameterKind::Layer, position, 0, 0, false, label, help};
 }
 
+const ParameterDefinition kFirstSolid =
+    layerParameter("first_mesh", 0, "First layer", "The first operand, A: a closed surface.");
+
+const ParameterDefinition kSecondSolid =
+    layerParameter("second_mesh", 1, "Second layer",
+                   "The second operand, B: a closed surface, another layer than the first.");
+
 const ParameterDefinition kFirstSurface =
     layerParameter("first_mesh", 0, "First layer", "The first operand, A: open or closed.");
 
@@ -151,11 +158,8 @@ FilterDefinition booleanDefinition() {
 	    "Index Boolean: Union, Intersection and Differences",
 	    std::string(kBooleanHelp) + kPaper,
 	    {
-	        layerParameter("first_mesh", 0, "First layer",
-	                       "The first operand, A: a closed surface."),
-	        layerParameter(
-	            "second_mesh", 1, "Second layer",
-	            "The second operand, B: a closed surface, another layer than the first."),
+	        kFirstSolid,
+	        kSecondSolid,
 	        {"union", kBool, 1, 0, 1, false, "Union",
 	         "A new layer with the boundary of all that is inside A or inside B."},
 	        {"intersection", kBool, 1, 0, 1, false, "Intersection",

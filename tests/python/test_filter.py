@@ -586,19 +586,6 @@ class TestRefusedLayers:
         message = refused(place((FIRST[0][:3], faces)), named=[place.layer])
         assert "volume" in message or "encloses" in message
 
-    def test_oneComponentInsideOutAmongOthers(self, place):
-        inside_out = box((3, 3, 3), (4, 4, 4))
-        mesh = joined(FIRST, (inside_out[0], inside_out[1][:, ::-1]))
-        mesh_set = place(mesh)
-        message = refused(mesh_set, named=[place.layer])
-        assert selected_faces(mesh_set, place.layer) == list(range(12, 24))
-        assert "inside out" in message
-
-    def test_nestedComponentsOfOneLayer(self, place):
-        mesh_set = place(joined(FIRST, WITHIN_FIRST))
-        refused(mesh_set, named=[place.layer])
-        assert set(selected_faces(mesh_set, place.layer)) & set(range(12, 24))
-
     def test_previousSelectionIsClearedInTheNamedLayerAndKeptInTheOther(self, place):
         mesh_set = place(without_faces(sphere(), 100))
         refused(mesh_set, named=[place.layer])

@@ -280,7 +280,8 @@ struct Arrangement {
 	DuplicateFaces duplicates;
 	PerOperand<std::size_t> selfIntersecting;  // faces that meet others of the same operand
 	                                           // wrongly; [soup_contacts], else 0
-	PerOperand<double> volume;                 // of each operand that is closed, else 0
+	PerOperand<double> volume;  // of each operand that is closed, else 0; in a soup, with what is
+	                            // inside out counted as negative
 	// [curve_points] and [cut_lines]
 	Curve curve;
 	// [retriangulate]

@@ -307,12 +307,11 @@ Status findCutLines(Arrangement& arrangement, const Contacts& contacts,
                     const std::vector<VertexId>& vertexOfName, Monitor& monitor) {
 	std::vector<EdgePoint> edgePoints;
 	std::vector<ContactLine> lines;
-	const Status status =
-	    inOrder([&] { return collectEdgePoints(arrangement, contacts, vertexOfName, monitor,
-		                                       edgePoints); },
-	            [&] { return collectCutEdges(edgePoints, arrangement); },
-	            [&] { return sortPointsOnEdges(arrangement, contacts, monitor); },
-	            [&] { return collectLines(arrangement, contacts, vertexOfName, monitor, lines); });
+	const Status status = inOrder(
+	    [&] { return collectEdgePoints(arrangement, contacts, vertexOfName, monitor, edgePoints); },
+	    [&] { return collectCutEdges(edgePoints, arrangement); },
+	    [&] { return sortPointsOnEdges(arrangement, contacts, monitor); },
+	    [&] { return collectLines(arrangement, contacts, vertexOfName, monitor, lines); });
 	if (!status.ok()) {
 		return status;
 	}

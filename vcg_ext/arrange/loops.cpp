@@ -110,8 +110,8 @@ public:
 	Status run();
 
 private:
-	// Whether faces of two operands meet in a segment; lines in which an operand meets itself are no
-	// loops.
+	// Whether faces of two operands meet in a segment; lines in which an operand meets itself are
+	// no loops.
 	bool isOfTwo(const Segment& s) const {
 		return arrangement_.mesh.operandOf(s.a) != arrangement_.mesh.operandOf(s.b);
 	}
@@ -244,8 +244,7 @@ Status Tracer::run() {
 	}
 	if (status.ok()) {
 		trace(Incidence(arrangement_, [this](const Segment& s) {
-			return s.crossing ||
-			       (isOfTwo(s) && complex_.partingEdge(s.begin, s.end) != nullptr);
+			return s.crossing || (isOfTwo(s) && complex_.partingEdge(s.begin, s.end) != nullptr);
 		}));
 		count(arrangement_.loops, arrangement_.loopCounts);
 		status.code = pollCancelled(monitor_) ? StatusCode::Cancelled : StatusCode::Ok;

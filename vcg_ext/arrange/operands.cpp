@@ -656,9 +656,14 @@ Status prepareSoup(Arrangement& arrangement, Monitor& monitor) {
 	               [&] { return takeRepeatedFacesOnce(arrangement, monitor); },
 	               [&] {
 		               findSoupNonManifold(arrangement);
-		               return Status{};
+		               return lookAtFaces(arrangement, monitor, seen);
 	               },
-	               [&] { return joinPolygons(arrangement, monitor); });
+	               [&] {
+		               for (const OperandId operand : arrangement.mesh.operands()) {
+			               arrangement.volume[operand] = seen[operand].sixVolumes.value / 6;
+		               }
+		               return joinPolygons(arrangement, monitor);
+	               });
 }
 
 }  // namespace index_boolean

@@ -30,7 +30,8 @@ Status prepareSurfaces(Arrangement& arrangement, Monitor& monitor);
 // The same for any number of surfaces of any kind, which may meet themselves and have faces more
 // than once: a soup. Checked, welded, free of degenerate faces; none is turned, nothing is dropped
 // that has area. Fills faceGiven, isSoup, closed (by the input's edges), nonManifold: where what is
-// at a vertex is not one umbrella of one operand; and, of closed operands, volume.
+// at a vertex is not one umbrella of one operand; and volume: what the faces enclose, as they are
+// turned, which tells nothing where the operand is open.
 // \return Ok, Cancelled, OutOfMemory, EmptyOperand, NotFinite, IndexOutOfRange, TooLarge
 // Complexity: O(n) as expected.
 Status prepareSoup(Arrangement& arrangement, Monitor& monitor);

@@ -71,6 +71,7 @@ Status findRefinedClosed(Arrangement& arrangement, Monitor& monitor) {
 		          : boundaryChecksum(triangles.data(), triangles.data() + triangles.size(),
 		                             arrangement.options.threads, monitor, sum);
 		arrangement.closed[operand] = sum == 0;
+		arrangement.volume[operand] *= sum == 0 ? 1 : 0;
 		return status;
 	});
 }

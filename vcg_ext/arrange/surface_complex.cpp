@@ -93,17 +93,16 @@ Status Builder::addUncutFaces() {
 	std::partial_sum(begins.begin(), begins.end(), begins.begin());
 	out_.faces.resizeForOverwrite(begins.back());
 	if (status.ok()) {
-		status = parallelForChunks(n, kGrain, threads, monitor_,
-		                           [&](std::size_t chunk, std::size_t begin, std::size_t end) {
-			                           std::size_t slot = begins[chunk];
-			                           for (std::size_t f = begin; f < end; ++f) {
-				                           if (isCut[f] == 0) {
-					                           out_.faces[slot++] = {mesh_.triangles[f],
-					                                                 makeId<FaceTag>(f), kNone,
-					                                                 kNone};
-				                           }
-			                           }
-		                           });
+		status = parallelForChunks(
+		    n, kGrain, threads, monitor_,
+		    [&](std::size_t chunk, std::size_t begin, std::size_t end) {
+			    std::size_t slot = begins[chunk];
+			    for (std::size_t f = begin; f < end; ++f) {
+				    if (isCut[f] == 0) {
+					    out_.faces[slot++] = {mesh_.triangles[f], makeId<FaceTag>(f), kNone, kNone};
+				    }
+			    }
+		    });
 	}
 	for (std::uint32_t face = 0; face < begins.back() && !mesh_.quietFaces.empty(); ++face) {
 		if (mesh_.quietTwin(out_.faces[face].source) != Twin::None) {
@@ -136,8 +135,8 @@ void Builder::addPieces(ComplexOf part) {
 			if (isOnCurve(corners)) {
 				maybeCoincident_.push_back(static_cast<std::uint32_t>(out_.faces.size()));
 			}
-			out_.faces.push_back({corners, refinement.cutFaces[i].face,
-			                      static_cast<std::uint32_t>(piece), kNone});
+			out_.faces.push_back(
+			    {corners, refinement.cutFaces[i].face, static_cast<std::uint32_t>(piece), kNone});
 		}
 	}
 }

@@ -40,9 +40,9 @@ struct PartingEdge {
 // Triangles and how they hang together. Around a plain vertex all do, in one umbrella that runs one
 // way; only the near faces, those with a corner that is not plain, need be looked at edge by edge.
 struct SurfaceComplex {
-	HugeVector<RefinedFace> faces;   // the uncut ones in the order of their sources, then pieces
+	HugeVector<RefinedFace> faces;    // the uncut ones in the order of their sources, then pieces
 	std::vector<OtherSource> others;  // of triangles with several sources, ascending for each
-	HugeVector<std::uint8_t> plain;  // per input vertex; empty: no vertex is plain
+	HugeVector<std::uint8_t> plain;   // per input vertex; empty: no vertex is plain
 	std::vector<std::uint32_t> nearFaces;  // faces; ascending
 	HugeVector<HalfEdgeId> mates;      // per half-edge: the one across, or none() at a parting edge
 	                                   // and between two plain vertices

@@ -12,10 +12,11 @@ namespace index_boolean {
 
 // Replaces each corner by the first vertex of its operand with the same coordinates.
 // \param welded replaced: which operands have two vertices in one place
-// \pre all corners exist and are finite. Throws std::bad_alloc. O(n) as expected.
+// \pre all corners exist and are finite. Throws std::bad_alloc. Complexity: O(n) as expected.
 void weldEachOperand(MeshArrays& mesh, PerOperand<bool>& welded);
 
-// Replaces each corner by the first vertex of all with the same coordinates. \pre as above. O(n).
+// Replaces each corner by the first vertex of all with the same coordinates.
+// \pre as above. Complexity: as above.
 void weldOperandsTogether(MeshArrays& mesh);
 
 }  // namespace index_boolean

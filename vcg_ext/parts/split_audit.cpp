@@ -50,7 +50,10 @@ double lawDifference(const Arrangement& arrangement, const SubBlocks& blocks, Op
 	for (const SubBlock& block : blocks.all) {
 		sum += block.windings[operand] * block.volume;
 	}
-	return sum - arrangement.volume[operand];
+	if (arrangement.isSoup && arrangement.options.windingRule == WindingRule::Odd) {
+		return 0;  // windings are parities
+	}
+	return sum - (blocks.turned[operand] ? -1 : 1) * arrangement.volume[operand];
 }
 
 }  // namespace
@@ -68,7 +71,7 @@ Status auditSubBlocks(const Arrangement& arrangement, const SubSurfaces& surface
 	double most = 0;
 	double total = 0;
 	for (const OperandId operand : arrangement.volume.operands()) {
-		total += arrangement.volume[operand];
+		total += std::fabs(arrangement.volume[operand]);
 		const double difference = lawDifference(arrangement, blocks, operand);
 		right = right && inside.explains(difference, 2 * surfaces.complex.faces.size());
 		most = std::max(most, std::fabs(difference));

@@ -67,6 +67,7 @@ private:
 	void fillBlocks();
 	Status walkWindings();
 	Status checkWindings();
+	void turnInsideOut();
 	Status checkWindings(OperandId operand, const std::vector<std::uint32_t>& faces);
 	int windingAt(OperandId operand, std::uint32_t side) const;
 	Status refuseWindings(OperandId operand, std::uint32_t surface) const;
@@ -405,6 +406,23 @@ Status Assembler::walkWindings() {
 	return {};
 }
 
+// What a soup's operand encloses inside out as a whole is taken right side out.
+void Assembler::turnInsideOut() {
+	out_.turned = PerOperand<bool>(arrangement_.mesh.operands().count());
+	for (const OperandId operand : out_.turned.operands()) {
+		bool anyBelow = false, anyAbove = false;
+		for (const SubBlock& block : out_.all) {
+			anyBelow = anyBelow || block.windings[operand] < 0;
+			anyAbove = anyAbove || block.windings[operand] > 0;
+		}
+		out_.turned[operand] = arrangement_.isSoup && anyBelow && !anyAbove;
+		for (SubBlock& block : out_.all) {
+			std::int32_t& winding = block.windings[operand];
+			winding = out_.turned[operand] ? -winding : winding;
+		}
+	}
+}
+
 int Assembler::windingAt(OperandId operand, std::uint32_t side) const {
 	const std::int32_t block = out_.beside[side / 2][side % 2];
 	return block == kNoBlock ? 0 : out_.all[static_cast<std::size_t>(block)].windings[operand];
@@ -479,6 +497,7 @@ Status Assembler::run() {
 		numberBlocks();
 		fillBlocks();
 		status = inOrder([this] { return walkWindings(); }, [this] { return checkWindings(); });
+		turnInsideOut();
 	}
 	return status;
 }

@@ -38,6 +38,8 @@ struct SubBlocks {
 	std::vector<std::array<std::int32_t, 2>> beside;
 	// Per sub-surface: it has different parts of space on its two sides.
 	std::vector<std::uint8_t> separates;
+	// Of a soup: an operand around which all blocks would have windings of 0 or less has been turned.
+	PerOperand<bool> turned;
 };
 
 // What parts space: every sub-surface, or only those that a winding number changes across and those

@@ -23,20 +23,13 @@ void listCells(const Arrangement& arrangement, const SubBlocks& blocks, CellLabe
 	}
 }
 
-// Turns what is inside out as a whole, and sums up the volumes.
-void measureOperands(Arrangement& arrangement) {
-	CellLabels& cells = arrangement.cells;
+// Notes what has been turned, and sums up the volumes.
+void measureOperands(const SubBlocks& blocks, Arrangement& arrangement) {
+	arrangement.insideOut = blocks.turned;
 	for (const OperandId operand : arrangement.mesh.operands()) {
-		const auto [least, most] = std::minmax_element(
-		    cells.windings.begin(), cells.windings.end(),
-		    [operand](const auto& a, const auto& b) { return a[operand] < b[operand]; });
-		const bool isInsideOut = (*least)[operand] < 0 && (*most)[operand] <= 0;
-		arrangement.insideOut[operand] = isInsideOut;
 		double volume = 0;
-		for (std::size_t cell = 0; cell < cells.windings.size(); ++cell) {
-			std::int32_t& winding = cells.windings[cell][operand];
-			winding = isInsideOut ? -winding : winding;
-			volume += winding * cells.volume[cell];
+		for (const SubBlock& block : blocks.all) {
+			volume += block.windings[operand] * block.volume;
 		}
 		arrangement.volume[operand] = volume;
 	}
@@ -76,7 +69,7 @@ Status labelCells(Arrangement& arrangement, Monitor& monitor) {
 	if (status.ok()) {
 		listCells(arrangement, blocks, arrangement.cells);
 		listSides(arrangement, surfaces, blocks, arrangement.cells);
-		measureOperands(arrangement);
+		measureOperands(blocks, arrangement);
 	}
 	return status;
 }
