@@ -47,6 +47,7 @@ private:
 	Status sortHalfEdges();
 	void joinPieces();
 	Status findSimple();
+	Status checkVertices();
 	void markSimple();
 
 	std::uint32_t polygonOf(std::size_t face) const {
@@ -67,10 +68,12 @@ private:
 	std::vector<std::uint32_t>
 	    present_;  // and those that are whole in one part of the mesh, per side
 	std::vector<std::uint32_t> broken_;  // faces of the mesh in polygons that are not whole
-	std::vector<HalfEdge> halfEdges_;    // their edges, and others on the same two vertices
-	std::vector<std::array<HalfEdge, 2>> inner_;  // between two faces of one side of a polygon
-	std::vector<std::uint32_t> set_;              // per face of the mesh: joined across these
-	std::vector<std::uint8_t> isSimple_;          // per set
+	HugeVector<HalfEdge> halfEdges_;     // their edges, and others on the same two vertices
+	// Per face of the mesh, as faux edges are marked: those that join faces of one side of a
+	// polygon; and the set of faces that are joined across them.
+	std::vector<std::uint8_t> inner_;
+	std::vector<std::uint32_t> set_;
+	std::vector<std::uint8_t> isSimple_;  // per set
 };
 
 // If a face of the mesh is all of its input face: whether its edges are faux in the input.
@@ -133,6 +136,7 @@ void Marker::listHalfEdges() {
 			near[v] = 1;
 		}
 	}
+	halfEdges_.reserve(3 * broken_.size());
 	for (std::size_t f = 0; f < output_.triangles.size(); ++f) {
 		const auto& t = output_.triangles[f];
 		for (std::size_t i = 0; i < 3; ++i) {
@@ -155,10 +159,12 @@ void Marker::joinPieces() {
 	for (const std::uint32_t f : broken_) {
 		isBroken[f] = 1;
 	}
+	inner_.assign(output_.triangles.size(), 0);
 	forEachSortedManifoldEdge(halfEdges_, [&](const HalfEdge& a, const HalfEdge& b) {
 		if (isBroken[a.face] != 0 && isBroken[b.face] != 0 && sideOf(a.face) == sideOf(b.face) &&
 		    partOf(a.face) == partOf(b.face)) {
-			inner_.push_back({a, b});
+			markFaux(inner_[a.face], a.corner);
+			markFaux(inner_[b.face], b.corner);
 			sets.unite(a.face, b.face);
 		}
 	});
@@ -169,25 +175,34 @@ void Marker::joinPieces() {
 	}
 }
 
-// Each vertex of a simple polygon begins one edge of its border.
+// Of a simple polygon, each vertex begins one edge of the border, and the faces are two fewer than
+// these: what fails by counts needs no look at its vertices.
 Status Marker::findSimple() {
-	std::vector<std::uint8_t> inner(set_.size(), 0);  // as faux edges are marked
-	for (const auto& pair : inner_) {
-		for (const HalfEdge& h : pair) {
-			markFaux(inner[h.face], h.corner);
-		}
-	}
-	std::vector<std::uint32_t> faces(set_.size(), 0), corners(set_.size(), 0);
-	std::vector<SetVertex> used,
-	    starts;  // corners of faces; those that an edge of the border leaves
-	used.reserve(3 * broken_.size());
+	std::vector<std::uint32_t> faces(set_.size(), 0), border(set_.size(), 0);
 	for (const std::uint32_t f : broken_) {
 		++faces[set_[f]];
 		for (std::size_t i = 0; i < 3; ++i) {
+			border[set_[f]] += isFaux(inner_[f], i) ? 0 : 1;
+		}
+	}
+	isSimple_.assign(set_.size(), 1);
+	for (const std::uint32_t f : broken_) {
+		if (faces[set_[f]] + 2 != border[set_[f]]) {
+			isSimple_[set_[f]] = 0;
+		}
+	}
+	return checkVertices();
+}
+
+// Marks the sets as not simple that have a vertex with none or several edges of the border.
+Status Marker::checkVertices() {
+	std::vector<SetVertex> used,
+	    starts;  // corners of faces; those that an edge of the border leaves
+	for (const std::uint32_t f : broken_) {
+		for (std::size_t i = 0; isSimple_[set_[f]] != 0 && i < 3; ++i) {
 			used.push_back({output_.triangles[f][i], set_[f]});
-			if (!isFaux(inner[f], i)) {
+			if (!isFaux(inner_[f], i)) {
 				starts.push_back(used.back());
-				++corners[set_[f]];
 			}
 		}
 	}
@@ -197,7 +212,6 @@ Status Marker::findSimple() {
 		    arrangement_.options.threads, monitor_);
 	};
 	const Status status = inOrder([&] { return sort(used); }, [&] { return sort(starts); });
-	isSimple_.assign(set_.size(), 1);
 	auto start = starts.begin();
 	const auto begins = [&](auto first, auto) {
 		const auto end =
@@ -210,20 +224,13 @@ Status Marker::findSimple() {
 	if (status.ok()) {
 		forEachGroup(used.begin(), used.end(), std::equal_to<>(), begins);
 	}
-	for (const std::uint32_t f : broken_) {
-		if (faces[set_[f]] + 2 != corners[set_[f]]) {
-			isSimple_[set_[f]] = 0;
-		}
-	}
 	return status;
 }
 
 void Marker::markSimple() {
-	for (const auto& pair : inner_) {
-		for (const HalfEdge& h : pair) {
-			if (isSimple_[set_[h.face]] != 0) {
-				markFaux(output_.faux[h.face], h.corner);
-			}
+	for (const std::uint32_t f : broken_) {
+		if (isSimple_[set_[f]] != 0) {
+			output_.faux[f] = inner_[f];
 		}
 	}
 }
@@ -240,9 +247,9 @@ Status Marker::run() {
 			joinPieces();
 			status = findSimple();
 		}
-	}
-	if (status.ok()) {
-		markSimple();
+		if (status.ok()) {
+			markSimple();
+		}
 	}
 	if (std::none_of(output_.faux.begin(), output_.faux.end(), [](std::uint8_t m) { return m; })) {
 		output_.faux.clear();
