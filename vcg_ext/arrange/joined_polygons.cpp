@@ -4,20 +4,20 @@
 // Half-edges sorted by their edge: the two of a faux edge are neighbours in the list.
 #include "vcg_ext/arrange/joined_polygons.h"
 
+#include "vcg_ext/base/concurrent_sets.h"
 #include "vcg_ext/base/edge_table.h"
 #include "vcg_ext/base/parallel.h"
-#include "vcg_ext/base/union_find.h"
+#include "vcg_ext/base/parallel_list.h"
 #include "vcg_ext/exact/exact_sign.h"
 
 #include <algorithm>
-#include <numeric>
+#include <utility>
 
 namespace index_boolean {
 
 namespace {
 
-// Whether a half-edge, in a list sorted by edge, is the first of two that join their faces.
-enum class Join : std::uint8_t { None, Bent, Flat };
+constexpr std::size_t kGrain = 1 << 12;
 
 // A face that lies across an axis: the axis, and which way it turns seen against it.
 struct Level {
@@ -25,7 +25,12 @@ struct Level {
 	std::int8_t turn = 0;
 };
 
-using HalfEdges = HugeVector<HalfEdge>;
+// What a chunk of half-edges, sorted by edge, says of their faces.
+struct Joins {
+	std::vector<std::array<VertexId, 2>> flat;            // edges between faces of one plane
+	std::vector<std::array<std::uint32_t, 2>> bent;       // faces that meet in an edge at an angle
+	std::vector<std::pair<std::uint32_t, int>> joinNone;  // faux edges, by face and corner
+};
 
 // Finds what joins the faces of one operand, as indices and by planes.
 class FaceJoiner {
@@ -34,38 +39,28 @@ public:
 	    : arrangement_(arrangement), mesh_(arrangement.mesh), monitor_(monitor),
 	      begin_(mesh_.faceOffsets.begin(operand)), count_(mesh_.faceOffsets.size(operand)) {}
 
-	Status run();
+	// Unites faces joined within one plane.
+	Status run(ConcurrentSets& flat);
 
-	std::size_t halfEdgeCount() const { return halfEdges_.size(); }
-
-	// Calls visit(a, b, join) for the two half-edges of each edge that joins its faces.
-	template <class Visit>
-	void forEachJoin(Visit&& visit) const {
-		for (std::size_t i = 0; i < joins_.size(); ++i) {
-			if (joins_[i] != Join::None) {
-				visit(halfEdges_[i], halfEdges_[i + 1], joins_[i]);
-			}
-		}
-	}
+	const std::vector<Joins>& joins() const { return joins_; }
 
 private:
-	static constexpr std::size_t kGrain = 1 << 12;
-
-	Status findLevels();
 	Status listHalfEdges();
 	template <class Visit>
 	void forEachHalfEdge(std::size_t f, Visit&& visit) const;
 	Level levelOf(std::size_t face) const;
-	Join joinAt(std::size_t i) const;
+	Status findLevels();
+	bool joinsNext(std::size_t i) const;
+	void join(std::size_t i, ConcurrentSets& flat, Joins& out) const;
 	int commonFrontOf(std::uint32_t a, std::uint32_t b) const;
 
 	const Arrangement& arrangement_;
 	const MeshArrays& mesh_;
 	Monitor& monitor_;
-	std::size_t begin_, count_;  // of the operand's faces
-	HugeVector<Level> levels_;   // per face of the operand
-	HalfEdges halfEdges_;        // sorted by edge
-	HugeVector<Join> joins_;     // per half-edge
+	std::size_t begin_, count_;       // of the operand's faces
+	HugeVector<Level> levels_;        // per face of the operand
+	HugeVector<HalfEdge> halfEdges_;  // sorted by edge
+	std::vector<Joins> joins_;        // per chunk of them
 };
 
 // Visits the half-edges of a face that may join it to others. An edge with more than two faces has
@@ -86,30 +81,10 @@ void FaceJoiner::forEachHalfEdge(std::size_t f, Visit&& visit) const {
 	}
 }
 
-// Counted first, then written: they are many.
 Status FaceJoiner::listHalfEdges() {
-	const auto forEachIn = [this](std::size_t begin, std::size_t end, auto&& visit) {
-		for (std::size_t i = begin; i < end; ++i) {
-			forEachHalfEdge(begin_ + i, visit);
-		}
-	};
-	const int threads = arrangement_.options.threads;
-	std::vector<std::size_t> ends(chunkCount(count_, kGrain) + 1, 0);  // of each chunk
-	const auto count = [&](std::size_t chunk, std::size_t begin, std::size_t end) {
-		std::size_t found = 0;
-		forEachIn(begin, end, [&](const HalfEdge&) { ++found; });
-		ends[chunk + 1] = found;
-	};
-	const auto write = [&](std::size_t chunk, std::size_t begin, std::size_t end) {
-		std::size_t next = ends[chunk];
-		forEachIn(begin, end, [&](const HalfEdge& halfEdge) { halfEdges_[next++] = halfEdge; });
-	};
-	return inOrder([&] { return parallelForChunks(count_, kGrain, threads, monitor_, count); },
-	               [&] {
-		               std::partial_sum(ends.begin(), ends.end(), ends.begin());
-		               halfEdges_.resizeForOverwrite(ends.back());
-		               return parallelForChunks(count_, kGrain, threads, monitor_, write);
-	               });
+	return listInParallel(
+	    count_, [this](std::size_t i, auto&& visit) { forEachHalfEdge(begin_ + i, visit); },
+	    arrangement_.options.threads, monitor_, halfEdges_);
 }
 
 // \pre the face has area: it lies across one axis at most
@@ -147,36 +122,50 @@ int FaceJoiner::commonFrontOf(std::uint32_t a, std::uint32_t b) const {
 	return s.axis == t.axis ? commonFront(mesh_, {a}, {b}) : 0;
 }
 
-// What the i-th of the sorted half-edges is.
-Join FaceJoiner::joinAt(std::size_t i) const {
-	const HalfEdges& sorted = halfEdges_;
-	const bool isFirst = i == 0 || !sorted[i - 1].sameEdge(sorted[i]);
-	const bool hasMate = i + 1 < sorted.size() && sorted[i + 1].sameEdge(sorted[i]);
-	if (!isFirst || !hasMate || (i + 2 < sorted.size() && sorted[i + 2].sameEdge(sorted[i]))) {
-		return Join::None;
+// Whether the i-th of the sorted half-edges and the next one are all of an edge that joins faces.
+bool FaceJoiner::joinsNext(std::size_t i) const {
+	const HugeVector<HalfEdge>& sorted = halfEdges_;
+	if (i + 1 >= sorted.size() || !sorted[i].sameEdge(sorted[i + 1]) ||
+	    (i > 0 && sorted[i - 1].sameEdge(sorted[i])) ||
+	    (i + 2 < sorted.size() && sorted[i + 2].sameEdge(sorted[i]))) {
+		return false;
 	}
 	const HalfEdge &a = sorted[i], &b = sorted[i + 1];
-	const bool joins = a.forward != b.forward && isFaux(mesh_.faux[a.face], a.corner) &&
-	                   isFaux(mesh_.faux[b.face], b.corner);
-	if (!joins) {
-		return Join::None;
-	}
-	return commonFrontOf(a.face, b.face) > 0 ? Join::Flat : Join::Bent;
+	return a.forward != b.forward && isFaux(mesh_.faux[a.face], a.corner) &&
+	       isFaux(mesh_.faux[b.face], b.corner);
 }
 
-Status FaceJoiner::run() {
+void FaceJoiner::join(std::size_t i, ConcurrentSets& flat, Joins& out) const {
+	const HalfEdge& a = halfEdges_[i];
+	if (!joinsNext(i)) {
+		if (isFaux(mesh_.faux[a.face], a.corner) && (i == 0 || !joinsNext(i - 1))) {
+			out.joinNone.emplace_back(a.face, a.corner);
+		}
+		return;
+	}
+	const HalfEdge& b = halfEdges_[i + 1];
+	if (commonFrontOf(a.face, b.face) > 0) {
+		flat.unite(a.face, b.face);
+		out.flat.push_back({VertexId{a.low}, VertexId{a.high}});
+	} else {
+		out.bent.push_back({a.face, b.face});
+	}
+}
+
+Status FaceJoiner::run(ConcurrentSets& flat) {
 	const int threads = arrangement_.options.threads;
 	return inOrder([&] { return listHalfEdges(); },
 	               [&] { return sortByEdge(halfEdges_, mesh_.points.size(), threads, monitor_); },
 	               [&] { return halfEdges_.empty() ? Status{} : findLevels(); },
 	               [&] {
-		               joins_.resizeForOverwrite(halfEdges_.size());
-		               return parallelFor(halfEdges_.size(), kGrain, threads, monitor_,
-		                                  [&](std::size_t begin, std::size_t end) {
-			                                  for (std::size_t i = begin; i < end; ++i) {
-				                                  joins_[i] = joinAt(i);
-			                                  }
-		                                  });
+		               joins_.resize(chunkCount(halfEdges_.size(), kGrain));
+		               return parallelForChunks(
+		                   halfEdges_.size(), kGrain, threads, monitor_,
+		                   [&](std::size_t chunk, std::size_t begin, std::size_t end) {
+			                   for (std::size_t i = begin; i < end; ++i) {
+				                   join(i, flat, joins_[chunk]);
+			                   }
+		                   });
 	               });
 }
 
@@ -197,13 +186,15 @@ int turnOf(const MeshArrays& mesh, const Triangle& t, int axis) {
 	return orient2d(at(mesh.points, t[0]), at(mesh.points, t[1]), at(mesh.points, t[2]), axis);
 }
 
-std::vector<FaceId> roots(UnionFind& sets) {
-	sets.flatten();
-	std::vector<FaceId> result(sets.size());
-	for (std::uint32_t i = 0; i < result.size(); ++i) {
-		result[i] = {sets.root(i)};
-	}
-	return result;
+// Writes the root of each element.
+Status listRoots(ConcurrentSets& sets, int threads, Monitor& monitor, std::vector<FaceId>& out) {
+	return parallelFor(out.size(), kGrain, threads, monitor,
+	                   [&](std::size_t begin, std::size_t end) {
+		                   sets.flatten(begin, end);
+		                   for (std::size_t i = begin; i < end; ++i) {
+			                   out[i] = {sets.root(static_cast<std::uint32_t>(i))};
+		                   }
+	                   });
 }
 
 }  // namespace
@@ -227,41 +218,51 @@ int commonFront(const MeshArrays& mesh, FaceId a, FaceId b) {
 
 Status joinPolygons(Arrangement& arrangement, Monitor& monitor) {
 	MeshArrays& mesh = arrangement.mesh;
+	const std::size_t n = mesh.triangles.size();
 	if (mesh.faux.empty()) {
 		return {};
 	}
-	UnionFind flat(mesh.triangles.size());
-	std::vector<std::array<std::uint32_t, 2>> bent;  // faces joined, but not within one plane
-	std::vector<std::uint8_t> joining(mesh.triangles.size(), 0);
+	const int threads = arrangement.options.threads;
+	ConcurrentSets sets(n);
+	std::vector<std::array<std::uint32_t, 2>> bent;
 	Polygons& out = arrangement.polygons;
-	const Status status = forEachOperand(mesh.operands(), [&](OperandId operand) {
+	const auto joinOperand = [&](OperandId operand) {
 		FaceJoiner joiner(arrangement, operand, monitor);
-		const Status found = joiner.run();
-		if (!found.ok()) {
-			return found;
-		}
-		out.flatEdges.reserve(out.flatEdges.size() + joiner.halfEdgeCount() / 2);
-		joiner.forEachJoin([&](const HalfEdge& a, const HalfEdge& b, Join join) {
-			markFaux(joining[a.face], a.corner);
-			markFaux(joining[b.face], b.corner);
-			if (join == Join::Flat) {
-				flat.unite(a.face, b.face);
-				out.flatEdges.push_back({VertexId{a.low}, VertexId{a.high}});
-			} else {
-				bent.push_back({a.face, b.face});
+		const Status status = joiner.run(sets);
+		for (const Joins& part : joiner.joins()) {
+			out.flatEdges.insert(out.flatEdges.end(), part.flat.begin(), part.flat.end());
+			bent.insert(bent.end(), part.bent.begin(), part.bent.end());
+			for (const auto& [face, corner] : part.joinNone) {
+				mesh.faux[face] = static_cast<std::uint8_t>(mesh.faux[face] & ~(1 << corner));
 			}
-		});
-		return found;
-	});
-	mesh.faux = std::move(joining);
+		}
+		return status;
+	};
+	const auto joinBent = [&] {
+		out.polygon = out.flat;
+		if (bent.empty()) {
+			return Status{};
+		}
+		for (const auto& [a, b] : bent) {
+			sets.unite(a, b);
+		}
+		return listRoots(sets, threads, monitor, out.polygon);
+	};
+	const Status status = inOrder(
+	    [&] {
+		    return parallelFor(
+		        n, kGrain, threads, monitor,
+		        [&](std::size_t begin, std::size_t end) { sets.makeSets(begin, end); });
+	    },
+	    [&] { return forEachOperand(mesh.operands(), joinOperand); },
+	    [&] {
+		    out.flat.resize(n);
+		    return listRoots(sets, threads, monitor, out.flat);
+	    },
+	    joinBent);
 	if (!std::is_sorted(out.flatEdges.begin(), out.flatEdges.end())) {  // vertices in common
 		std::sort(out.flatEdges.begin(), out.flatEdges.end());
 	}
-	out.flat = roots(flat);
-	for (const auto& [a, b] : bent) {
-		flat.unite(a, b);
-	}
-	out.polygon = bent.empty() ? out.flat : roots(flat);
 	return status;
 }
 
