@@ -20,6 +20,8 @@ namespace index_boolean {
 
 namespace {
 
+constexpr std::uint8_t kNoAxis = 3;
+
 bool isInside(const std::array<double, 3>& weights) {
 	return std::all_of(weights.begin(), weights.end(), [](double w) { return w >= 0; });
 }
@@ -46,12 +48,9 @@ void lowerTo(std::uint32_t value, std::atomic<std::uint32_t>& number) {
 	}
 }
 
-bool overlap(const BoundingBox& a, const BoundingBox& b, std::size_t axis) {
-	return a.lo[axis] <= b.hi[axis] && b.lo[axis] <= a.hi[axis];
-}
-
 bool overlap(const BoundingBox& a, const BoundingBox& b) {
-	return overlap(a, b, 0) && overlap(a, b, 1) && overlap(a, b, 2);
+	return a.lo[0] <= b.hi[0] && b.lo[0] <= a.hi[0] && a.lo[1] <= b.hi[1] && b.lo[1] <= a.hi[1] &&
+	       a.lo[2] <= b.hi[2] && b.lo[2] <= a.hi[2];
 }
 
 }  // namespace
@@ -124,27 +123,18 @@ const Point& FaceLocator::placeOf(std::uint32_t vertex) const {
 	return v == VertexId::none() ? mesh_.points[vertex] : arrangement_.coordinates(v);
 }
 
-// The box of a given face, without end along the axis that it is projected along: a vertex that is
-// no exact point of its plane is seen along that axis too. \return whether it reaches another box;
-// only then is it filled
-bool FaceLocator::reachesBox(FaceId face, const BoundingBox& box, BoundingBox& out) const {
-	const Points& points = arrangement_.mesh.points;
-	const Triangle given = givenTriangle(face);
-	const Point &a = at(points, given[0]), &b = at(points, given[1]), &c = at(points, given[2]);
-	int overlaps = 0;
+// The box of a face of a part, without end along the axis that the part is projected along: a
+// vertex that is no exact point of its plane is seen along that axis too.
+BoundingBox FaceLocator::boxOf(FaceId face, std::size_t along) const {
+	const MeshArrays& mesh = arrangement_.mesh;
+	const Triangle& t = at(mesh.triangles, face);  // in the same places as the face as given
+	const Point &a = at(mesh.points, t[0]), &b = at(mesh.points, t[1]), &c = at(mesh.points, t[2]);
+	BoundingBox box{};
 	for (std::size_t axis = 0; axis < 3; ++axis) {
-		out.lo[axis] = std::min({a[axis], b[axis], c[axis]});
-		out.hi[axis] = std::max({a[axis], b[axis], c[axis]});
-		overlaps += overlap(out, box, axis) ? 1 : 0;
+		box.lo[axis] = axis == along ? -HUGE_VAL : std::min({a[axis], b[axis], c[axis]});
+		box.hi[axis] = axis == along ? HUGE_VAL : std::max({a[axis], b[axis], c[axis]});
 	}
-	if (overlaps < 2) {
-		return false;
-	}
-	int sign = 0;
-	const auto along = static_cast<std::size_t>(projectionAxis(given, points, sign));
-	out.lo[along] = -HUGE_VAL;
-	out.hi[along] = HUGE_VAL;
-	return overlap(out, box);
+	return box;
 }
 
 // Looks for those of the wanted vertices that lie outside of their own faces in all faces of their
@@ -154,15 +144,17 @@ Status FaceLocator::locateInParts(const std::vector<WantedPlace>& wanted,
                                   std::vector<PlaceInFace>& out) const {
 	constexpr std::size_t kFaces = 1 << 13, kPlaces = 64;  // of a chunk
 	const int threads = arrangement_.options.threads;
-	const std::size_t n = arrangement_.mesh.triangles.size();
-	std::vector<std::uint8_t> isAsked(n, 0);  // per part
+	const MeshArrays& mesh = arrangement_.mesh;
+	const std::size_t n = mesh.triangles.size();
+	std::vector<std::uint8_t> axisOf(n, kNoAxis);  // per part, if it is asked: one for one plane
 	std::vector<BoundingBox> places;
-	BoundingBox all = emptyBox();
 	for (const std::size_t i : missing) {
-		at(isAsked, partOf(wanted[i].face)) = 1;
+		const FaceId part = partOf(wanted[i].face);
+		int sign = 0;
+		at(axisOf, part) =
+		    static_cast<std::uint8_t>(projectionAxis(at(mesh.triangles, part), mesh.points, sign));
 		const Point& place = placeOf(wanted[i].vertex);
 		places.push_back({place, place});
-		all.add(place);
 	}
 	const BoxTree tree(std::move(places));
 	std::vector<std::atomic<std::uint32_t>> first(missing.size());
@@ -170,10 +162,11 @@ Status FaceLocator::locateInParts(const std::vector<WantedPlace>& wanted,
 		face = kNone;
 	}
 	const auto lookIn = [&](FaceId face) {
-		BoundingBox box{};
-		if (at(isAsked, partOf(face)) == 0 || !reachesBox(face, all, box)) {
+		const std::uint8_t axis = at(axisOf, partOf(face));
+		if (axis == kNoAxis) {
 			return;
 		}
+		const BoundingBox box = boxOf(face, axis);
 		const auto mayHold = [&box](const BoundingBox& vertices) { return overlap(box, vertices); };
 		tree.visit(0, mayHold, [&](std::uint32_t i) {
 			const WantedPlace& place = wanted[missing[i]];

@@ -66,7 +66,7 @@ private:
 	bool placeIn(FaceId face, std::uint32_t vertex, PlaceInFace& place) const;
 	FaceId partOf(FaceId face) const { return at(arrangement_.polygons.flat, face); }
 	const Point& placeOf(std::uint32_t vertex) const;
-	bool reachesBox(FaceId face, const BoundingBox& box, BoundingBox& out) const;
+	BoundingBox boxOf(FaceId face, std::size_t along) const;
 	Status locateInParts(const std::vector<WantedPlace>& wanted,
 	                     const std::vector<std::size_t>& missing, Monitor& monitor,
 	                     std::vector<PlaceInFace>& out) const;
