@@ -258,8 +258,8 @@ Status collectNearBoxes(const Faces& faces, FaceBoxes& out) {
 	}
 	const OperandId small = faces.count(kFirst) <= faces.count(kSecond) ? kFirst : kSecond;
 	const OperandId large = otherOf(small);
-	CellGrid ofSmall(out.halfSize);
-	CellGrid ofLarge(out.halfSize);
+	CellGrid ofSmall(out.frame.halfSize);
+	CellGrid ofLarge(out.frame.halfSize);
 	const auto markSmall = [&](std::size_t, const FaceBox& box) { ofSmall.mark(box); };
 	const auto markIfNear = [&](const FaceBox& box) {
 		const bool near = ofSmall.meets(box);
@@ -278,12 +278,12 @@ Status collectNearBoxes(const Faces& faces, FaceBoxes& out) {
 // octree's levels, and of the grid's, tell nothing apart.
 bool isHuddled(const FaceBoxes& boxes) {
 	std::array<float, 3> lo, hi;
-	lo.fill(-boxes.halfSize);
-	hi.fill(boxes.halfSize);
+	lo.fill(-boxes.frame.halfSize);
+	hi.fill(boxes.frame.halfSize);
 	for (const HugeVector<FaceBox>& operand : boxes.operand) {
 		std::array<float, 3> low, high;
-		low.fill(boxes.halfSize);
-		high.fill(-boxes.halfSize);
+		low.fill(boxes.frame.halfSize);
+		high.fill(-boxes.frame.halfSize);
 		for (const FaceBox& box : operand) {
 			for (std::size_t axis = 0; axis < 3; ++axis) {
 				low[axis] = std::min(low[axis], box.lo[axis]);
@@ -296,7 +296,7 @@ bool isHuddled(const FaceBoxes& boxes) {
 		}
 	}
 	const float longest = std::max({hi[0] - lo[0], hi[1] - lo[1], hi[2] - lo[2]});
-	return longest < boxes.halfSize / 8;
+	return longest < boxes.frame.halfSize / 8;
 }
 
 // Lists the faces in a frame of their own while that is worth it: each time the frame has shrunk
@@ -320,7 +320,7 @@ Status narrow(const MeshArrays& mesh, BoundingBox common, int threads, Monitor& 
 		common = smaller;
 		const CommonFrame frame(common);
 		faces.setFrame(frame);
-		boxes.halfSize = frame.cube.halfSize;
+		boxes.frame = frame.cube;
 		status = collectNearBoxes(faces, boxes);
 		if (!status.ok()) {
 			return status;
@@ -343,7 +343,7 @@ Status collectFaceBoxes(const MeshArrays& mesh, int threads, Monitor& monitor, F
 		return status;
 	}
 	const CommonFrame frame(common);
-	out.halfSize = frame.cube.halfSize;
+	out.frame = frame.cube;
 	AllFaces faces(mesh, frame, threads, monitor);
 	return inOrder([&] { return faces.mapVertices(); },
 	               [&] { return collectNearBoxes(faces, out); },

@@ -8,6 +8,7 @@
 // that no face uses do not make them coarse, wherever they are.
 #pragma once
 
+#include "vcg_ext/arrange/box_frame.h"
 #include "vcg_ext/base/monitor.h"
 #include "vcg_ext/base/status.h"
 #include "vcg_ext/mesh/mesh_arrays.h"
@@ -20,10 +21,11 @@ struct FaceBox {
 	std::uint32_t face;
 };
 
-// The boxes of each operand in the order of the faces, in a cube from -halfSize to halfSize.
+// The boxes of each operand in the order of the faces, in the cube of a frame in which all that the
+// operands have in common lies.
 struct FaceBoxes {
 	PerOperand<HugeVector<FaceBox>> operand;
-	float halfSize = 1;  // a power of two
+	BoxFrame frame;
 };
 
 // Lists the faces, but for quiet ones, that reach both operands' boxes and, in a coarse grid, a

@@ -7,8 +7,13 @@
 // holds the overlap's low corner reports it. Leaves are half open, the root has no bounds.
 // No octree parts the faces around a common vertex, but a second one does, which they descend by
 // the directions in which they leave it. In the first one, their pairs are left aside.
+// Nor does it part long faces that lie askew, with boxes that are mostly empty. Where a node stops
+// for that, its pairs, and no others, are looked for in an octree of their own, about all that its
+// boxes have in common: there, faces go to those children only that they reach themselves. A pair
+// is reported by each leaf that both faces reach, and what is there twice goes in the end.
 #include "vcg_ext/arrange/octree_pairs.h"
 
+#include "vcg_ext/arrange/cell_clip.h"
 #include "vcg_ext/arrange/common_fans.h"
 #include "vcg_ext/arrange/face_boxes.h"
 #include "vcg_ext/base/groups.h"
@@ -26,6 +31,7 @@ namespace index_boolean {
 namespace {
 
 constexpr std::uint64_t kCost = 12;          // all pairs of a leaf cost no more than one more split
+constexpr std::uint64_t kClipCost = 8;       // clipping a face to its children costs so many pairs
 constexpr std::size_t kSmallNode = 2048;     // faces of a node not worth to be shared by threads
 constexpr std::size_t kLargeNode = 1 << 17;  // faces of a node that threads share
 constexpr std::size_t kManyNodes = 64;       // nodes enough for all threads
@@ -51,6 +57,8 @@ struct Node {
 	std::array<float, 3> mid;
 	float half;
 	int depth;
+	bool isClipped;  // its faces reach it themselves, and `low` is that of a node that owns the
+	                 // pairs
 	std::array<BoxSpan, 2> faces;
 
 	std::size_t size() const { return faces[0].size + faces[1].size; }
@@ -72,8 +80,6 @@ private:
 	HugeVector<FaceBox> boxes_;
 };
 
-// Sets of the eight children as bits. Child c lies in the upper half along axis k iff bit k of c.
-using ChildSet = std::uint8_t;
 constexpr std::array<std::array<ChildSet, 4>, 3> kHalves = {{
     {0x00, 0x55, 0xaa, 0xff},  // none, lower, upper, both halves along x
     {0x00, 0x33, 0xcc, 0xff},
@@ -112,12 +118,20 @@ void forEachChild(ChildSet set, Visit visit) {
 
 using ChildCounts = std::array<std::size_t, 8>;
 
-// Which children each box of a range reaches, and how many boxes reach each child.
-ChildCounts countChildren(const BoxSpan& boxes, const std::array<float, 3>& mid, ChildSet* sets) {
+// Whether a box reaches four children or more: if anything does, then its inside leaves some out.
+constexpr bool reachesMany(ChildSet set) {
+	const unsigned withoutOne = set & (set - 1U);
+	const unsigned withoutTwo = withoutOne & (withoutOne - 1U);
+	return (withoutTwo & (withoutTwo - 1U)) != 0;
+}
+
+// Which children each box of a range reaches, by childrenOf(box), and how many boxes reach each.
+template <class ChildrenOf>
+ChildCounts countChildren(const BoxSpan& boxes, ChildrenOf&& childrenOfBox, ChildSet* sets) {
 	// By set first: no loop over the children of a box, whose number no processor can guess.
 	std::array<std::size_t, 256> ofSet{};
 	for (std::size_t i = 0; i < boxes.size; ++i) {
-		sets[i] = childrenOf(boxes.first[i], mid);
+		sets[i] = childrenOfBox(boxes.first[i]);
 		++ofSet[sets[i]];
 	}
 	ChildCounts counts{};
@@ -134,11 +148,16 @@ ChildCounts countChildren(const BoxSpan& boxes, const std::array<float, 3>& mid,
 class NodeSplit {
 public:
 	// Counts the boxes of all children. \return false if splitting does not help
-	bool count(const Node& node) { return countIn(node, node.size(), nullptr); }
+	bool count(const Node& node) { return countIn(node, node.size(), nullptr, nullptr); }
+
+	// The same with children that faces reach themselves.
+	bool countClipped(const Node& node, const CellClip& clip) {
+		return countIn(node, node.size(), nullptr, &clip);
+	}
 
 	// The same by all threads. Where that fails, nothing that follows is of use; see status().
 	bool countTogether(const Node& node, const Workers& workers) {
-		return countIn(node, kChunk, &workers) && status_.ok();
+		return countIn(node, kChunk, &workers, nullptr) && status_.ok();
 	}
 
 	// Writes the boxes of the living children to `buffer` and appends the children to `out`, by
@@ -151,7 +170,8 @@ public:
 private:
 	static constexpr std::size_t kChunk = 1 << 15;
 
-	bool countIn(const Node& node, std::size_t grain, const Workers* workers);
+	bool countIn(const Node& node, std::size_t grain, const Workers* workers, const CellClip* clip);
+	ChildCounts countPart(const Node& node, const BoxSpan& boxes, ChildSet* sets) const;
 	bool helps(const Node& node) const;
 
 	// Calls body(chunk, begin, end) for all chunks of n boxes.
@@ -165,6 +185,7 @@ private:
 	}
 
 	const Workers* workers_ = nullptr;
+	const CellClip* clip_ = nullptr;
 	Status status_;
 	std::size_t grain_ = 0;
 	std::array<std::vector<ChildSet>, 2> sets_;      // for each box
@@ -173,8 +194,25 @@ private:
 	ChildSet living_ = 0;  // children with boxes of both operands
 };
 
-bool NodeSplit::countIn(const Node& node, std::size_t grain, const Workers* workers) {
+ChildCounts NodeSplit::countPart(const Node& node, const BoxSpan& boxes, ChildSet* sets) const {
+	if (clip_ == nullptr) {
+		return countChildren(
+		    boxes, [&](const FaceBox& box) { return childrenOf(box, node.mid); }, sets);
+	}
+	const OctreeCell cell{node.mid, node.half};
+	return countChildren(
+	    boxes,
+	    [&](const FaceBox& box) {
+		    const ChildSet set = childrenOf(box, node.mid);
+		    return reachesMany(set) ? clip_->reached({box.face}, set, cell) : set;
+	    },
+	    sets);
+}
+
+bool NodeSplit::countIn(const Node& node, std::size_t grain, const Workers* workers,
+                        const CellClip* clip) {
 	workers_ = workers;
+	clip_ = clip;
 	grain_ = grain;
 	counts_ = {};
 	for (std::size_t k = 0; k < 2; ++k) {
@@ -183,7 +221,7 @@ bool NodeSplit::countIn(const Node& node, std::size_t grain, const Workers* work
 		parts_[k].resize(workers == nullptr ? 1 : chunkCount(faces.size, grain));
 		forEachChunk(faces.size, [&](std::size_t chunk, std::size_t begin, std::size_t end) {
 			parts_[k][chunk] =
-			    countChildren({faces.first + begin, end - begin}, node.mid, &sets_[k][begin]);
+			    countPart(node, {faces.first + begin, end - begin}, &sets_[k][begin]);
 		});
 		for (const ChildCounts& part : parts_[k]) {
 			for (std::size_t child = 0; child < 8; ++child) {
@@ -201,7 +239,7 @@ bool NodeSplit::countIn(const Node& node, std::size_t grain, const Workers* work
 }
 
 // A split helps if it halves the pairs to be tested or hardly repeats a face: faces around one
-// common vertex stay together however often they are split.
+// common vertex stay together however often they are split. Clipping must save what it costs.
 bool NodeSplit::helps(const Node& node) const {
 	std::uint64_t pairs = 0;
 	std::uint64_t boxes = 0;
@@ -209,6 +247,9 @@ bool NodeSplit::helps(const Node& node) const {
 		pairs += std::uint64_t{counts_[0][child]} * counts_[1][child];
 		boxes += counts_[0][child] + counts_[1][child];
 	});
+	if (clip_ != nullptr) {
+		return pairs + kClipCost * boxes <= node.pairs();
+	}
 	return pairs <= node.pairs() / 2 || 4 * boxes <= 5 * std::uint64_t{node.size()};
 }
 
@@ -218,7 +259,7 @@ Node childNode(const Node& node, std::size_t child) {
 	++result.depth;
 	for (std::size_t axis = 0; axis < 3; ++axis) {
 		const bool upper = (child >> axis & 1U) != 0;
-		if (upper) {
+		if (upper && !node.isClipped) {
 			result.low[axis] = node.mid[axis];
 		}
 		result.mid[axis] = node.mid[axis] + (upper ? result.half : -result.half);
@@ -257,11 +298,38 @@ void NodeSplit::distribute(const Node& node, BoxBuffer& buffer, std::vector<Node
 	}
 }
 
+// A node with the pairs of another one, about all that the boxes of both operands have in common
+// there, in which faces are clipped.
+Node clippedNode(const Node& node) {
+	Node result = node;
+	result.isClipped = true;
+	std::array<std::array<float, 3>, 2> lowest{}, highest{};
+	for (std::size_t k = 0; k < 2; ++k) {
+		lowest[k] = node.faces[k].first->lo;
+		highest[k] = node.faces[k].first->hi;
+		for (const FaceBox& box : node.faces[k]) {
+			for (std::size_t axis = 0; axis < 3; ++axis) {
+				lowest[k][axis] = std::min(lowest[k][axis], box.lo[axis]);
+				highest[k][axis] = std::max(highest[k][axis], box.hi[axis]);
+			}
+		}
+	}
+	result.half = 0;
+	for (std::size_t axis = 0; axis < 3; ++axis) {
+		const float low = std::max(lowest[0][axis], lowest[1][axis]);
+		const float high = std::min(highest[0][axis], highest[1][axis]);
+		result.mid[axis] = (low + high) / 2;
+		result.half = std::max(result.half, (high - low) / 2);
+	}
+	return result;
+}
+
 // How nodes are to be searched.
 struct Search {
 	const Options& options;
 	Monitor& monitor;
 	const CommonFans* fans;  // of which no pair need be visited; null if there is none
+	const CellClip* clip;    // null if the boxes are not those of the faces
 };
 
 // The fan with the most pairs in a node, if these are more than one more split costs; else kNone.
@@ -335,12 +403,14 @@ class Descent {
 public:
 	Descent(const Search& search, Visit visitPair)
 	    : options_(search.options), monitor_(search.monitor), fans_(search.fans),
-	      visitPair_(visitPair) {}
+	      clip_(search.clip), visitPair_(visitPair) {}
 
 	void visit(const Node& node);
 
 private:
+	void visitChildren(const Node& node);
 	bool visitWithoutFans(const Node& node);
+	bool visitClipped(const Node& node);
 	void scan(const Node& node);
 	void scanAll(const Node& node);
 	void sweep(const Node& node);
@@ -350,6 +420,7 @@ private:
 	const Options& options_;
 	Monitor& monitor_;
 	const CommonFans* fans_;
+	const CellClip* clip_;
 	Visit visitPair_;
 	NodeSplit split_;
 	std::array<BoxBuffer, 21> buffers_;           // one per depth
@@ -371,12 +442,17 @@ bool isLeaf(const Node& node, const Options& options) {
 
 template <class Visit>
 void Descent<Visit>::visit(const Node& node) {
-	if (isLeaf(node, options_) || !split_.count(node)) {
-		if (!visitWithoutFans(node)) {
-			scan(node);
-		}
-		return;
+	const bool isLast = isLeaf(node, options_);
+	if (!isLast && split_.count(node)) {
+		visitChildren(node);
+	} else if (!visitWithoutFans(node) && (isLast || !visitClipped(node))) {
+		scan(node);
 	}
+}
+
+// \pre the split of the node has been counted
+template <class Visit>
+void Descent<Visit>::visitChildren(const Node& node) {
 	const auto depth = static_cast<std::size_t>(node.depth);
 	std::vector<Node>& children = children_[depth];
 	children.clear();
@@ -408,6 +484,24 @@ bool Descent<Visit>::visitWithoutFans(const Node& node) {
 	if (!stopped()) {
 		visit(parting.rest());
 	}
+	return true;
+}
+
+// Visits the children of a node with those faces only that reach them.
+// \return false if that does not help; then nothing has been visited
+template <class Visit>
+bool Descent<Visit>::visitClipped(const Node& node) {
+	constexpr std::uint64_t kWorthBeginning = 4;  // mostly, few pairs are just not worth a split
+	const std::uint64_t most = (node.isClipped ? kCost : kWorthBeginning * kCost) * node.size();
+	if (clip_ == nullptr || node.pairs() <= most) {
+		return false;
+	}
+	const Node clipped = node.isClipped ? node : clippedNode(node);
+	if (!split_.countClipped(clipped, *clip_)) {
+		return false;
+	}
+	tested_ += node.size();
+	visitChildren(clipped);
 	return true;
 }
 
@@ -708,28 +802,27 @@ Status findPairsUnguarded(const MeshArrays& mesh, const Options& options, Monito
 	}
 	const CommonFans commonFans(mesh, boxes);
 	const CommonFans* const fans = commonFans.empty() ? nullptr : &commonFans;
+	const CellClip clip(mesh, boxes.frame);
 	Frontier frontier;
 	PairLists lists;
 	const auto makeVisit = [&](std::size_t i) { return PlaneSieve(mesh, fans, lists[i]); };
 	status = inOrder(
 	    [&] {
 		    return makeFrontier(
-		        makeRoot(boxes.operand[kFirst], boxes.operand[kSecond], boxes.halfSize), options,
-		        monitor, frontier);
+		        makeRoot(boxes.operand[kFirst], boxes.operand[kSecond], boxes.frame.halfSize),
+		        options, monitor, frontier);
 	    },
 	    [&] {
 		    lists.resize(frontier.nodes.size());
-		    return descend(frontier, {options, monitor, fans}, makeVisit);
+		    return descend(frontier, {options, monitor, fans, &clip}, makeVisit);
 	    },
 	    [&] {
-		    return addPairsOfFans(mesh, commonFans, {options, monitor, nullptr}, lists);
+		    return addPairsOfFans(mesh, commonFans, {options, monitor, nullptr, nullptr}, lists);
 	    });
 	if (status.ok()) {
 		sortPairs(lists, mesh.faceOffsets.begin(kSecond), out);
 	}
-	if (fans != nullptr) {
-		out.erase(std::unique(out.begin(), out.end()), out.end());
-	}
+	out.erase(std::unique(out.begin(), out.end()), out.end());
 	return status;
 }
 

@@ -9,6 +9,7 @@
 #include "vcg_ext/exact/exact_sign.h"
 
 #include <cmath>
+#include <utility>
 
 namespace index_boolean {
 
@@ -25,14 +26,17 @@ struct Ray {
 
 class RadialOrder {
 public:
-	RadialOrder(const Arrangement& arrangement, VertexId begin, VertexId end)
+	// \param count how many half-planes there will be
+	RadialOrder(const Arrangement& arrangement, VertexId begin, VertexId end, std::size_t count)
 	    : arrangement_(arrangement), begin_(exactPoint(arrangement, begin)),
-	      end_(exactPoint(arrangement, end)) {}
+	      end_(exactPoint(arrangement, end)) {
+		rays_.reserve(count);
+	}
 
 	// False if there is no witness: the line does not part the face.
 	bool add(const HalfPlane& half);
 	void sort();
-	const std::vector<RadialPlace>& places() const { return places_; }
+	std::vector<RadialPlace> takePlaces() { return std::move(places_); }
 
 private:
 	int sideInPlane(const Point& p, int axis) const {
@@ -119,14 +123,14 @@ double AngleHint::operator()(const Point& p) const {
 
 bool sortAround(const Arrangement& arrangement, VertexId begin, VertexId end,
                 const std::vector<HalfPlane>& halfPlanes, std::vector<RadialPlace>& places) {
-	RadialOrder order(arrangement, begin, end);
+	RadialOrder order(arrangement, begin, end, halfPlanes.size());
 	for (const HalfPlane& half : halfPlanes) {
 		if (!order.add(half)) {
 			return false;
 		}
 	}
 	order.sort();
-	places = order.places();
+	places = order.takePlaces();
 	return true;
 }
 

@@ -35,6 +35,7 @@ void sortByAngles(const std::vector<Sector>& sector, Angle&& angle, std::vector<
 		std::uint32_t index;
 	};
 	std::vector<Key> keys;
+	keys.reserve(out.size());
 	const double start = angle(0u);
 	for (const RadialPlace place : out) {
 		const double fromStart = angle(place.index) - start;
@@ -55,8 +56,7 @@ void sortByAngles(const std::vector<Sector>& sector, Angle&& angle, std::vector<
 // \param sameSide sameSide(j), asked where turn(0, j) is 0: j lies where the first one does, not
 //                 opposite to it
 // \param angle    angle(i): about the angle of i, in turns from any direction on. It decides
-// nothing,
-//                 but where it sorts rightly no more turns are asked for
+//                 nothing, but where it sorts rightly no more turns are asked for
 // Complexity: O(n) turns where all angles are right, else O(n log n).
 template <class Turn, class SameSide, class Angle>
 void sortRadially(std::size_t n, Turn&& turn, SameSide&& sameSide, Angle&& angle,
@@ -70,7 +70,9 @@ void sortRadially(std::size_t n, Turn&& turn, SameSide&& sameSide, Angle&& angle
 		return i == 0 || sameSide(i) ? Same : Opposite;
 	};
 	std::vector<Sector> sector;
+	sector.reserve(n);
 	out.clear();
+	out.reserve(n);
 	for (std::uint32_t i = 0; i < n; ++i) {
 		sector.push_back(sectorOf(i));
 		out.push_back({i, 0});
@@ -81,17 +83,28 @@ void sortRadially(std::size_t n, Turn&& turn, SameSide&& sameSide, Angle&& angle
 		}
 		return sector[a.index] % 2 == 1 && turn(a.index, b.index) > 0;
 	};
+	// False if the places are not sorted.
+	const auto fillSlots = [&] {
+		bool areSorted = true;
+		for (std::size_t i = 1; i < out.size(); ++i) {
+			const std::uint32_t a = out[i - 1].index, b = out[i].index;
+			const bool together = sector[a] == sector[b];
+			const int step = !together ? 1 : (sector[a] % 2 == 0 ? 0 : turn(a, b));
+			areSorted = areSorted && step >= 0;
+			out[i].slot = out[i - 1].slot + (step == 0 ? 0 : 1);
+		}
+		return areSorted;
+	};
 	constexpr std::size_t kMany = 16;
 	if (n >= kMany) {
 		sortByAngles(sector, angle, out);
 	}
-	if (n < kMany || !std::is_sorted(out.begin(), out.end(), before)) {
+	if (n < kMany || !fillSlots()) {
 		std::sort(out.begin(), out.end(), before);
-	}
-	for (std::size_t i = 1; i < out.size(); ++i) {
-		const std::uint32_t a = out[i - 1].index, b = out[i].index;
-		const bool same = sector[a] == sector[b] && (sector[a] % 2 == 0 || turn(a, b) == 0);
-		out[i].slot = out[i - 1].slot + (same ? 0 : 1);
+		if (!out.empty()) {
+			out[0].slot = 0;
+			fillSlots();
+		}
 	}
 }
 

@@ -40,8 +40,7 @@ public:
 private:
 	// A vertex whose place in a face is wanted, and where its mix is to be written down.
 	struct Wanted {
-		FaceId face;
-		std::uint32_t vertex;
+		WantedPlace place;
 		std::uint32_t* slot;
 		std::uint32_t firstMix;  // the number that stands for mix 0 there
 	};
@@ -136,7 +135,7 @@ Status SourceFinder::findVertices() {
 		if (const int corner = locator_.cornerOf(given, v); corner >= 0) {
 			out_.vertex[v] = given[static_cast<std::size_t>(corner)].value;
 		} else {
-			wanted.push_back({source.face, v, &out_.vertex[v], out_.vertexCount});
+			wanted.push_back({{source.face, v}, &out_.vertex[v], out_.vertexCount});
 		}
 	};
 	Status status =
@@ -164,7 +163,7 @@ Status SourceFinder::findCorners() {
 				const int corner = locator_.cornerOf(given, v);
 				out_.corner[f][i] = static_cast<std::uint32_t>(corner);
 				if (corner < 0) {
-					wanted.push_back({source, v, &out_.corner[f][i], kFirstMix});
+					wanted.push_back({{source, v}, &out_.corner[f][i], kFirstMix});
 				}
 			}
 		}
@@ -173,26 +172,22 @@ Status SourceFinder::findCorners() {
 
 // Finds each place that is wanted once.
 Status SourceFinder::mixWanted() {
-	std::sort(wanted_.begin(), wanted_.end(), [](const Wanted& a, const Wanted& b) {
-		return a.face != b.face ? a.face < b.face : a.vertex < b.vertex;
-	});
-	std::vector<const Wanted*> first;  // per mix
+	std::sort(wanted_.begin(), wanted_.end(),
+	          [](const Wanted& a, const Wanted& b) { return a.place < b.place; });
+	std::vector<WantedPlace> wanted;  // per mix
 	for (const Wanted& w : wanted_) {
-		if (first.empty() || first.back()->face != w.face || first.back()->vertex != w.vertex) {
-			first.push_back(&w);
+		if (wanted.empty() || !(wanted.back() == w.place)) {
+			wanted.push_back(w.place);
 		}
-		*w.slot = w.firstMix + static_cast<std::uint32_t>(first.size() - 1);
+		*w.slot = w.firstMix + static_cast<std::uint32_t>(wanted.size() - 1);
 	}
-	out_.mixes.resize(first.size());
-	constexpr std::size_t kMixGrain = 256;
-	return parallelFor(first.size(), kMixGrain, arrangement_.options.threads, monitor_,
-	                   [&](std::size_t begin, std::size_t end) {
-		                   for (std::size_t i = begin; i < end; ++i) {
-			                   const PlaceInFace place =
-			                       locator_.locate(first[i]->face, first[i]->vertex);
-			                   out_.mixes[i] = {locator_.givenFace(place.face), place.weights};
-		                   }
-	                   });
+	std::vector<PlaceInFace> places;
+	const Status status = locator_.locate(wanted, monitor_, places);
+	out_.mixes.reserve(places.size());
+	for (const PlaceInFace& place : places) {
+		out_.mixes.push_back({locator_.givenFace(place.face), place.weights});
+	}
+	return status;
 }
 
 Status SourceFinder::run(bool corners) {

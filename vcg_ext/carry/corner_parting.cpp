@@ -39,6 +39,11 @@ private:
 	OperandId operandOf(std::size_t face) const {
 		return arrangement_.mesh.operandOf(mesh_.faceSource[face].face);
 	}
+	bool isWithSeams(std::size_t face) const {
+		return seams_.any() && arrangement_.seams[operandOf(face)];
+	}
+	Status locateCorners(Monitor& monitor);
+	const PlaceInFace& placeOf(const WantedPlace& wanted) const;
 	bool findIdentity(std::size_t face, std::uint32_t vertex, Identity& identity) const;
 	void listStrangers(std::uint32_t face);
 	void addVertices();
@@ -48,16 +53,51 @@ private:
 	const Seams& seams_;
 	bool partCurve_;
 	SourcedMesh& mesh_;
-	std::vector<Identity> first_;  // per vertex
+	std::vector<WantedPlace> cut_;     // corners on seams that are none of their given face, sorted
+	std::vector<PlaceInFace> places_;  // of each
+	std::vector<Identity> first_;      // per vertex
 	std::vector<Stranger> strangers_;
 };
+
+// Finds the places of all corners of which findIdentity asks them.
+Status CornerParting::locateCorners(Monitor& monitor) {
+	const std::size_t n = seams_.any() ? mesh_.triangles.size() : 0;
+	std::vector<std::vector<WantedPlace>> found(chunkCount(n, kGrain));
+	const Status status =
+	    parallelForChunks(n, kGrain, arrangement_.options.threads, monitor,
+	                      [&](std::size_t chunk, std::size_t begin, std::size_t end) {
+		                      for (std::size_t f = begin; f < end; ++f) {
+			                      const FaceId source = mesh_.faceSource[f].face;
+			                      if (!isWithSeams(f)) {
+				                      continue;
+			                      }
+			                      const Triangle given = locator_.givenTriangle(source);
+			                      for (const std::uint32_t v : mesh_.triangles[f]) {
+				                      if (locator_.cornerOf(given, v) < 0) {
+					                      found[chunk].push_back({source, v});
+				                      }
+			                      }
+		                      }
+	                      });
+	for (const std::vector<WantedPlace>& part : found) {
+		cut_.insert(cut_.end(), part.begin(), part.end());
+	}
+	std::sort(cut_.begin(), cut_.end());
+	cut_.erase(std::unique(cut_.begin(), cut_.end()), cut_.end());
+	return status.ok() ? locator_.locate(cut_, monitor, places_) : status;
+}
+
+const PlaceInFace& CornerParting::placeOf(const WantedPlace& wanted) const {
+	const auto found = std::lower_bound(cut_.begin(), cut_.end(), wanted);
+	return places_[static_cast<std::size_t>(found - cut_.begin())];
+}
 
 // False for a corner of a merged face that lies outside of what the face came from: it may stand
 // for any.
 bool CornerParting::findIdentity(std::size_t face, std::uint32_t vertex, Identity& identity) const {
 	const OperandId operand = operandOf(face);
 	identity = {operand.value, kNone, kNone, kNone};
-	if (!seams_.any() || !arrangement_.seams[operand]) {
+	if (!isWithSeams(face)) {
 		return true;
 	}
 	const FaceId source = mesh_.faceSource[face].face;
@@ -66,7 +106,7 @@ bool CornerParting::findIdentity(std::size_t face, std::uint32_t vertex, Identit
 		identity[1] = seams_.sideOf(given[static_cast<std::size_t>(corner)]).value;
 		return true;
 	}
-	const PlaceInFace place = locator_.locate(source, vertex);
+	const PlaceInFace& place = placeOf({source, vertex});
 	const Triangle corners = locator_.givenTriangle(place.face);
 	for (std::size_t j = 0; j < 3; ++j) {
 		identity[j + 1] = place.weights[j] > 0 ? seams_.sideOf(corners[j]).value : kNone;
@@ -117,7 +157,7 @@ Status CornerParting::run(Monitor& monitor) {
 		return status;
 	}
 	first_.assign(mesh_.points.size(), Identity{kNone, kNone, kNone, kNone});
-	status = forEachOperand(arrangement_.mesh.operands(), [&](OperandId operand) {
+	const auto listAll = [&](OperandId operand) {
 		return inOrderFor(mesh_.triangles.size(), kGrain, monitor,
 		                  [&](std::size_t begin, std::size_t end) {
 			                  for (std::size_t f = begin; f < end; ++f) {
@@ -126,7 +166,9 @@ Status CornerParting::run(Monitor& monitor) {
 				                  }
 			                  }
 		                  });
-	});
+	};
+	status = inOrder([&] { return locateCorners(monitor); },
+	                 [&] { return forEachOperand(arrangement_.mesh.operands(), listAll); });
 	if (status.ok()) {
 		addVertices();
 	}

@@ -2,22 +2,25 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // A vertex that is no corner of its face, by index or by coordinates, has weights with exact signs.
-// Where a whole polygon is asked, boxes leave out faces that the vertex cannot lie in: seen along
-// the axis that the face is projected along, a point of it is in its box, and rounding keeps it
-// there, since the box ends in coordinates that are not rounded.
+// A vertex outside of its face is looked for in all faces of the polygon, by boxes: seen along the
+// axis that a face is projected along, a point of it is in its box, and rounding keeps it there,
+// since the box ends in coordinates that are not rounded. Such vertices are few, faces of a polygon
+// may be many: so the vertices are put into a tree, and each face is looked at once.
 #include "vcg_ext/carry/face_locator.h"
 
 #include "vcg_ext/arrange/places.h"
+#include "vcg_ext/base/parallel.h"
+#include "vcg_ext/exact/box_tree.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
-#include <numeric>
 
 namespace index_boolean {
 
 namespace {
 
-constexpr std::uint32_t kFew = 8;  // faces of a part that are asked one after another
+constexpr std::uint8_t kNoAxis = 3;
 
 bool isInside(const std::array<double, 3>& weights) {
 	return std::all_of(weights.begin(), weights.end(), [](double w) { return w >= 0; });
@@ -37,41 +40,20 @@ std::array<double, 3> clamped(std::array<double, 3> weights) {
 	return weights;
 }
 
+// Lowers a number that other threads lower too.
+void lowerTo(std::uint32_t value, std::atomic<std::uint32_t>& number) {
+	std::uint32_t known = number.load(std::memory_order_relaxed);
+	while (value < known &&
+	       !number.compare_exchange_weak(known, value, std::memory_order_relaxed)) {
+	}
+}
+
+bool overlap(const BoundingBox& a, const BoundingBox& b) {
+	return a.lo[0] <= b.hi[0] && b.lo[0] <= a.hi[0] && a.lo[1] <= b.hi[1] && b.lo[1] <= a.hi[1] &&
+	       a.lo[2] <= b.hi[2] && b.lo[2] <= a.hi[2];
+}
+
 }  // namespace
-
-FaceLocator::FaceLocator(const Arrangement& arrangement, const GivenTriangles& given,
-                         const SourcedMesh& mesh)
-    : arrangement_(arrangement), given_(given), mesh_(mesh) {
-	const std::vector<FaceId>& flat = arrangement.polygons.flat;
-	if (flat.empty()) {
-		return;
-	}
-	begin_.assign(flat.size() + 1, 0);
-	for (const FaceId root : flat) {
-		++begin_[root.value + 1];
-	}
-	std::partial_sum(begin_.begin(), begin_.end(), begin_.begin());
-	members_.resize(flat.size());
-	std::vector<std::uint32_t> next(begin_.begin(), begin_.end() - 1);
-	for (std::uint32_t f = 0; f < flat.size(); ++f) {
-		members_[next[flat[f].value]++] = {f};
-	}
-	listLargeParts();
-}
-
-void FaceLocator::listLargeParts() {
-	std::vector<std::uint32_t> large;
-	for (std::uint32_t part = 0; part + 1 < begin_.size(); ++part) {
-		if (begin_[part + 1] - begin_[part] > kFew) {
-			large.push_back(part);
-		}
-	}
-	largePartCount_ = large.size();
-	largeParts_ = std::make_unique<LargePart[]>(large.size());
-	for (std::size_t i = 0; i < large.size(); ++i) {
-		largeParts_[i].part = large[i];
-	}
-}
 
 // The corner of a given triangle at the place of an input vertex, or -1.
 int FaceLocator::cornerOfName(const Triangle& given, std::uint32_t id) const {
@@ -137,14 +119,17 @@ bool FaceLocator::placeIn(FaceId face, std::uint32_t vertex, PlaceInFace& place)
 	return place.isThere;
 }
 
-// Of a given face, without end along the axis that it is projected along: a vertex that is no exact
-// point of its plane is seen along that axis too.
-BoundingBox FaceLocator::boxOf(FaceId face) const {
-	const Points& points = arrangement_.mesh.points;
-	const Triangle given = givenTriangle(face);
-	int sign = 0;
-	const auto along = static_cast<std::size_t>(projectionAxis(given, points, sign));
-	const Point &a = at(points, given[0]), &b = at(points, given[1]), &c = at(points, given[2]);
+const Point& FaceLocator::placeOf(std::uint32_t vertex) const {
+	const VertexId v = mesh_.vertexSource[vertex];
+	return v == VertexId::none() ? mesh_.points[vertex] : arrangement_.coordinates(v);
+}
+
+// The box of a face of a part, without end along the axis that the part is projected along: a
+// vertex that is no exact point of its plane is seen along that axis too.
+BoundingBox FaceLocator::boxOf(FaceId face, std::size_t along) const {
+	const MeshArrays& mesh = arrangement_.mesh;
+	const Triangle& t = at(mesh.triangles, face);  // in the same places as the face as given
+	const Point &a = at(mesh.points, t[0]), &b = at(mesh.points, t[1]), &c = at(mesh.points, t[2]);
 	BoundingBox box{};
 	for (std::size_t axis = 0; axis < 3; ++axis) {
 		box.lo[axis] = axis == along ? -HUGE_VAL : std::min({a[axis], b[axis], c[axis]});
@@ -153,62 +138,89 @@ BoundingBox FaceLocator::boxOf(FaceId face) const {
 	return box;
 }
 
-// \pre the part is large
-const BoxTree& FaceLocator::treeOf(std::uint32_t part) const {
-	LargePart* const end = largeParts_.get() + largePartCount_;
-	LargePart& large =
-	    *std::lower_bound(largeParts_.get(), end, part,
-	                      [](const LargePart& l, std::uint32_t wanted) { return l.part < wanted; });
-	std::call_once(large.isBuilt, [&] {
-		std::vector<BoundingBox> boxes;
-		boxes.reserve(begin_[part + 1] - begin_[part]);
-		for (std::uint32_t i = begin_[part]; i < begin_[part + 1]; ++i) {
-			boxes.push_back(boxOf(members_[i]));
+// Looks for those of the wanted vertices that lie outside of their own faces in all faces of their
+// parts: of the faces that hold one, the first counts.
+Status FaceLocator::locateInParts(const std::vector<WantedPlace>& wanted,
+                                  const std::vector<std::size_t>& missing, Monitor& monitor,
+                                  std::vector<PlaceInFace>& out) const {
+	constexpr std::size_t kFaces = 1 << 13, kPlaces = 64;  // of a chunk
+	const int threads = arrangement_.options.threads;
+	const MeshArrays& mesh = arrangement_.mesh;
+	const std::size_t n = mesh.triangles.size();
+	std::vector<std::uint8_t> axisOf(n, kNoAxis);  // per part, if it is asked: one for one plane
+	std::vector<BoundingBox> places;
+	for (const std::size_t i : missing) {
+		const FaceId part = partOf(wanted[i].face);
+		int sign = 0;
+		at(axisOf, part) =
+		    static_cast<std::uint8_t>(projectionAxis(at(mesh.triangles, part), mesh.points, sign));
+		const Point& place = placeOf(wanted[i].vertex);
+		places.push_back({place, place});
+	}
+	const BoxTree tree(std::move(places));
+	std::vector<std::atomic<std::uint32_t>> first(missing.size());
+	for (std::atomic<std::uint32_t>& face : first) {
+		face = kNone;
+	}
+	const auto lookIn = [&](FaceId face) {
+		const std::uint8_t axis = at(axisOf, partOf(face));
+		if (axis == kNoAxis) {
+			return;
 		}
-		large.tree = std::make_unique<BoxTree>(std::move(boxes));
-	});
-	return *large.tree;
-}
-
-// The faces of a flat part that a vertex may lie in, ascending.
-std::vector<FaceId> FaceLocator::facesNear(std::uint32_t part, std::uint32_t vertex) const {
-	const FaceId* const members = members_.data() + begin_[part];
-	const std::uint32_t count = begin_[part + 1] - begin_[part];
-	if (count <= kFew) {
-		return {members, members + count};
-	}
-	const VertexId v = mesh_.vertexSource[vertex];
-	const Point& p = v == VertexId::none() ? mesh_.points[vertex] : arrangement_.coordinates(v);
-	const auto mayHold = [&p](const BoundingBox& box) {
-		return box.lo[0] <= p[0] && p[0] <= box.hi[0] && box.lo[1] <= p[1] && p[1] <= box.hi[1] &&
-		       box.lo[2] <= p[2] && p[2] <= box.hi[2];
+		const BoundingBox box = boxOf(face, axis);
+		const auto mayHold = [&box](const BoundingBox& vertices) { return overlap(box, vertices); };
+		tree.visit(0, mayHold, [&](std::uint32_t i) {
+			const WantedPlace& place = wanted[missing[i]];
+			PlaceInFace found{};
+			if (partOf(place.face) == partOf(face) && face.value < first[i] &&
+			    placeIn(face, place.vertex, found)) {
+				lowerTo(face.value, first[i]);
+			}
+		});
 	};
-	std::vector<std::uint32_t> near;
-	treeOf(part).visit(0, mayHold, [&near](std::uint32_t member) { near.push_back(member); });
-	std::sort(near.begin(), near.end());
-	std::vector<FaceId> faces;
-	for (const std::uint32_t member : near) {
-		faces.push_back(members[member]);
-	}
-	return faces;
+	const auto lookInChunk = [&](std::size_t begin, std::size_t end) {
+		for (std::size_t f = begin; f < end; ++f) {
+			lookIn({static_cast<std::uint32_t>(f)});
+		}
+	};
+	const auto fill = [&](std::size_t begin, std::size_t end) {
+		for (std::size_t i = begin; i < end; ++i) {
+			if (first[i] != kNone) {
+				placeIn({first[i]}, wanted[missing[i]].vertex, out[missing[i]]);
+			}
+		}
+	};
+	return inOrder([&] { return parallelFor(n, kFaces, threads, monitor, lookInChunk); },
+	               [&] { return parallelFor(first.size(), kPlaces, threads, monitor, fill); });
 }
 
 // A face that was merged with others of its polygon may have corners outside of its own source:
 // they lie in another triangle of the polygon.
-PlaceInFace FaceLocator::locate(FaceId face, std::uint32_t vertex) const {
-	PlaceInFace own{}, other{};
-	if (placeIn(face, vertex, own)) {
-		return own;
-	}
-	if (!members_.empty()) {
-		for (const FaceId near : facesNear(at(arrangement_.polygons.flat, face).value, vertex)) {
-			if (placeIn(near, vertex, other)) {
-				return other;
-			}
+Status FaceLocator::locate(const std::vector<WantedPlace>& wanted, Monitor& monitor,
+                           std::vector<PlaceInFace>& out) const {
+	constexpr std::size_t kGrain = 256;
+	out.resize(wanted.size());
+	std::vector<std::size_t> missing;
+	Status status = parallelFor(wanted.size(), kGrain, arrangement_.options.threads, monitor,
+	                            [&](std::size_t begin, std::size_t end) {
+		                            for (std::size_t i = begin; i < end; ++i) {
+			                            placeIn(wanted[i].face, wanted[i].vertex, out[i]);
+		                            }
+	                            });
+	for (std::size_t i = 0; i < wanted.size() && status.ok(); ++i) {
+		if (!out[i].isThere) {
+			missing.push_back(i);
 		}
 	}
-	own.weights = clamped(own.weights);
-	return own;
+	if (status.ok() && !missing.empty() && !arrangement_.polygons.flat.empty()) {
+		status = locateInParts(wanted, missing, monitor, out);
+	}
+	for (const std::size_t i : missing) {
+		if (!out[i].isThere) {
+			out[i].weights = clamped(out[i].weights);
+		}
+	}
+	return status;
 }
 
 }  // namespace index_boolean

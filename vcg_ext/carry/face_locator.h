@@ -1,17 +1,16 @@
 // SPDX-FileCopyrightText: 2026 The Index Boolean authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// in: a vertex of a finished mesh and the input face that a face at it came from; out: where the
-// vertex lies in that face, or in another one of its polygon, as a mean of corners as given.
+// in: vertices of a finished mesh and the input faces that faces at them came from; out: where each
+// vertex lies in its face, or in another one of its polygon, as a mean of corners as given.
 // Guarantee: which face it lies in is decided exactly; of several it is always the first.
 #pragma once
 
 #include "vcg_ext/arrange/given_faces.h"
-#include "vcg_ext/exact/box_tree.h"
+#include "vcg_ext/base/monitor.h"
+#include "vcg_ext/base/status.h"
+#include "vcg_ext/exact/bounding_box.h"
 #include "vcg_ext/mesh/sourced_mesh.h"
-
-#include <memory>
-#include <mutex>
 
 namespace index_boolean {
 
@@ -23,12 +22,26 @@ struct PlaceInFace {
 	bool isThere;  // else the weights are those of a point nearby
 };
 
+// A vertex of the mesh whose place in an input face is wanted.
+struct WantedPlace {
+	FaceId face;
+	std::uint32_t vertex;
+
+	friend bool operator==(const WantedPlace& a, const WantedPlace& b) {
+		return a.face == b.face && a.vertex == b.vertex;
+	}
+	friend bool operator<(const WantedPlace& a, const WantedPlace& b) {
+		return a.face != b.face ? a.face < b.face : a.vertex < b.vertex;
+	}
+};
+
 // Places of a mesh's vertices in input faces. Borrows all that it is made of; any thread may ask.
 class FaceLocator {
 public:
-	// Throws std::bad_alloc. Complexity: O(1), or O(n) for n input faces if there are polygons.
+	// Complexity: O(1).
 	FaceLocator(const Arrangement& arrangement, const GivenTriangles& given,
-	            const SourcedMesh& mesh);
+	            const SourcedMesh& mesh)
+	    : arrangement_(arrangement), given_(given), mesh_(mesh) {}
 
 	GivenFace givenFace(FaceId face) const { return givenFaceOf(arrangement_, face); }
 	Triangle givenTriangle(FaceId face) const { return given_(givenFace(face)); }
@@ -36,38 +49,31 @@ public:
 	// The corner of a given triangle that a vertex of the mesh is, or -1. O(1).
 	int cornerOf(const Triangle& given, std::uint32_t vertex) const;
 
-	// Where a vertex of the mesh lies in an input face or, if outside of it, in the first face in
-	// one plane and one polygon with it. Throws std::bad_alloc.
-	// Complexity: O(log n) if it is outside of its own face, of a polygon of n faces; else O(1).
-	PlaceInFace locate(FaceId face, std::uint32_t vertex) const;
+	// Where vertices of the mesh lie in their input faces or, if outside of one, in the first face
+	// in one plane and one polygon with it. \param out replaced: the place of each that is wanted
+	// \return Ok, Cancelled or OutOfMemory
+	// Complexity: O(k) for k places; if any lies outside of its own face, O(n + m log k) more for n
+	// input faces, m of them in the same polygons.
+	Status locate(const std::vector<WantedPlace>& wanted, Monitor& monitor,
+	              std::vector<PlaceInFace>& out) const;
 
 private:
-	// The faces of a large flat part of a polygon by their boxes, once one is looked for there.
-	struct LargePart {
-		std::uint32_t part;
-		std::once_flag isBuilt;
-		std::unique_ptr<BoxTree> tree;
-	};
-
 	bool isAt(VertexId input, std::uint32_t vertex) const;
 	int cornerOfName(const Triangle& given, std::uint32_t id) const;
 	int cornerOpposite(const Triangle& given, std::uint32_t low, std::uint32_t high) const;
 	int zeroCorner(const Triangle& given, VertexId v) const;
 	std::array<double, 3> weightsIn(const Triangle& given, std::uint32_t vertex) const;
 	bool placeIn(FaceId face, std::uint32_t vertex, PlaceInFace& place) const;
-	void listLargeParts();
-	BoundingBox boxOf(FaceId face) const;
-	const BoxTree& treeOf(std::uint32_t part) const;
-	std::vector<FaceId> facesNear(std::uint32_t part, std::uint32_t vertex) const;
+	FaceId partOf(FaceId face) const { return at(arrangement_.polygons.flat, face); }
+	const Point& placeOf(std::uint32_t vertex) const;
+	BoundingBox boxOf(FaceId face, std::size_t along) const;
+	Status locateInParts(const std::vector<WantedPlace>& wanted,
+	                     const std::vector<std::size_t>& missing, Monitor& monitor,
+	                     std::vector<PlaceInFace>& out) const;
 
 	const Arrangement& arrangement_;
 	const GivenTriangles& given_;
 	const SourcedMesh& mesh_;
-	// Faces by the flat part of their polygon: those of part r are members_[begin_[r] ...).
-	std::vector<std::uint32_t> begin_;
-	std::vector<FaceId> members_;
-	std::unique_ptr<LargePart[]> largeParts_;  // by part
-	std::size_t largePartCount_ = 0;
 };
 
 inline bool FaceLocator::isAt(VertexId input, std::uint32_t vertex) const {

@@ -6,9 +6,10 @@
 #include "vcg_ext/carry/polygons.h"
 
 #include "vcg_ext/base/bucket_sort.h"
+#include "vcg_ext/base/concurrent_sets.h"
 #include "vcg_ext/base/edge_table.h"
 #include "vcg_ext/base/parallel.h"
-#include "vcg_ext/base/union_find.h"
+#include "vcg_ext/base/parallel_list.h"
 
 #include <algorithm>
 #include <functional>
@@ -29,6 +30,9 @@ struct SetVertex {
 	}
 };
 
+constexpr std::size_t kGrain = 1 << 12;
+constexpr std::uint8_t kNotWhole = 0xff;  // no mask of faux edges
+
 // Marks the faux edges of one finished mesh.
 class Marker {
 public:
@@ -41,12 +45,14 @@ public:
 
 private:
 	bool isWhole(std::size_t face, std::uint8_t& faux) const;
+	Status findWholeFaces();
 	void countWholeFaces();
 	void markIntact();
-	void listHalfEdges();
-	Status sortHalfEdges();
-	void joinPieces();
+	Status listHalfEdges();
+	bool joinsNext(std::size_t i) const;
+	Status joinPieces();
 	Status findSimple();
+	Status checkVertices();
 	void markSimple();
 
 	std::uint32_t polygonOf(std::size_t face) const {
@@ -64,13 +70,18 @@ private:
 	Monitor& monitor_;
 	SourcedMesh& output_;
 	std::vector<std::uint32_t> size_;  // faces of a polygon, at its first face
-	std::vector<std::uint32_t>
-	    present_;  // and those that are whole in one part of the mesh, per side
-	std::vector<std::uint32_t> broken_;  // faces of the mesh in polygons that are not whole
-	std::vector<HalfEdge> halfEdges_;    // their edges, and others on the same two vertices
-	std::vector<std::array<HalfEdge, 2>> inner_;  // between two faces of one side of a polygon
-	std::vector<std::uint32_t> set_;              // per face of the mesh: joined across these
-	std::vector<std::uint8_t> isSimple_;          // per set
+	HugeVector<std::uint8_t> whole_;   // per face of the mesh: its faux edges in the input, if it
+	                                   // is all of an input face of a polygon; else kNotWhole
+	std::vector<std::uint32_t> present_;  // of whole faces in one part of the mesh, per side
+	// Faces of the mesh in polygons that are not whole; and which these are.
+	std::vector<std::uint32_t> broken_;
+	std::vector<std::uint8_t> isBroken_;
+	HugeVector<HalfEdge> halfEdges_;  // their edges, and others on the same two vertices; by edge
+	// Per face of the mesh, as faux edges are marked: those that join faces of one side of a
+	// polygon; and the set of faces that are joined across them.
+	std::vector<std::uint8_t> inner_;
+	HugeVector<std::uint32_t> set_;
+	std::vector<std::uint8_t> isSimple_;  // per set
 };
 
 // If a face of the mesh is all of its input face: whether its edges are faux in the input.
@@ -93,101 +104,158 @@ bool Marker::isWhole(std::size_t face, std::uint8_t& faux) const {
 	return false;
 }
 
-void Marker::countWholeFaces() {
+Status Marker::findWholeFaces() {
 	size_.assign(mesh_.triangles.size(), 0);
 	for (const FaceId first : arrangement_.polygons.polygon) {
 		++at(size_, first);
 	}
+	whole_.resizeForOverwrite(output_.triangles.size());
+	return parallelFor(whole_.size(), kGrain, arrangement_.options.threads, monitor_,
+	                   [this](std::size_t begin, std::size_t end) {
+		                   for (std::size_t f = begin; f < end; ++f) {
+			                   std::uint8_t faux = 0;
+			                   const bool isPart = size_[polygonOf(f)] > 1;
+			                   whole_[f] = isPart && isWhole(f, faux) ? faux : kNotWhole;
+		                   }
+	                   });
+}
+
+void Marker::countWholeFaces() {
 	present_.assign(2 * size_.size(), 0);
-	std::vector<std::uint32_t> part(present_.size());  // of the first whole face, per side
-	std::uint8_t faux = 0;
+	std::vector<std::uint32_t> part(part_.empty() ? 0 : present_.size());  // of the first, per side
 	for (std::size_t f = 0; f < output_.triangles.size(); ++f) {
-		if (size_[polygonOf(f)] > 1 && isWhole(f, faux)) {
-			const std::uint32_t side = sideOf(f);
-			part[side] = present_[side] == 0 ? partOf(f) : part[side];
-			present_[side] += part[side] == partOf(f) ? 1 : 0;
+		if (whole_[f] == kNotWhole) {
+			continue;
 		}
+		const std::uint32_t side = sideOf(f);
+		if (!part.empty() && present_[side] == 0) {
+			part[side] = partOf(f);
+		}
+		present_[side] += part.empty() || part[side] == partOf(f) ? 1 : 0;
 	}
 }
 
 void Marker::markIntact() {
 	output_.faux.assign(output_.triangles.size(), 0);
+	isBroken_.assign(output_.triangles.size(), 0);
 	for (std::size_t f = 0; f < output_.triangles.size(); ++f) {
 		const std::uint32_t size = size_[polygonOf(f)];
 		if (size == 1) {
 			continue;
 		}
-		std::uint8_t faux = 0;
-		if (present_[sideOf(f)] == size && isWhole(f, faux)) {
-			output_.faux[f] = faux;
+		if (whole_[f] != kNotWhole && present_[sideOf(f)] == size) {
+			output_.faux[f] = whole_[f];
 		} else {
+			isBroken_[f] = 1;
 			broken_.push_back(static_cast<std::uint32_t>(f));
 		}
 	}
 }
 
-void Marker::listHalfEdges() {
+Status Marker::listHalfEdges() {
 	std::vector<std::uint8_t> near(output_.points.size(), 0);
 	for (const std::uint32_t f : broken_) {
 		for (const std::uint32_t v : output_.triangles[f]) {
 			near[v] = 1;
 		}
 	}
-	for (std::size_t f = 0; f < output_.triangles.size(); ++f) {
+	const auto visitEdges = [&](std::size_t f, auto&& visit) {
 		const auto& t = output_.triangles[f];
 		for (std::size_t i = 0; i < 3; ++i) {
 			const std::uint32_t from = t[i], to = t[(i + 1) % 3];
 			if (near[from] != 0 && near[to] != 0) {
-				halfEdges_.push_back(makeHalfEdge(from, to, f, i));
+				visit(makeHalfEdge(from, to, f, i));
 			}
 		}
-	}
+	};
+	const int threads = arrangement_.options.threads;
+	return inOrder(
+	    [&] {
+		    return listInParallel(output_.triangles.size(), visitEdges, threads, monitor_,
+		                          halfEdges_);
+	    },
+	    [&] { return sortByEdge(halfEdges_, output_.points.size(), threads, monitor_); });
 }
 
-Status Marker::sortHalfEdges() {
-	return sortByEdge(halfEdges_, output_.points.size(), arrangement_.options.threads, monitor_);
+// Whether the i-th of the sorted half-edges and the next one are all of an edge inside one side of
+// a polygon.
+bool Marker::joinsNext(std::size_t i) const {
+	const HugeVector<HalfEdge>& sorted = halfEdges_;
+	if (i + 1 >= sorted.size() || !sorted[i].sameEdge(sorted[i + 1]) ||
+	    sorted[i].forward == sorted[i + 1].forward ||
+	    (i > 0 && sorted[i - 1].sameEdge(sorted[i])) ||
+	    (i + 2 < sorted.size() && sorted[i + 2].sameEdge(sorted[i]))) {
+		return false;
+	}
+	const std::uint32_t a = sorted[i].face, b = sorted[i + 1].face;
+	return isBroken_[a] != 0 && isBroken_[b] != 0 && sideOf(a) == sideOf(b) &&
+	       partOf(a) == partOf(b);
 }
 
 // \pre the half-edges are sorted
-void Marker::joinPieces() {
-	UnionFind sets(output_.triangles.size());
-	std::vector<std::uint8_t> isBroken(output_.triangles.size(), 0);
-	for (const std::uint32_t f : broken_) {
-		isBroken[f] = 1;
-	}
-	forEachSortedManifoldEdge(halfEdges_, [&](const HalfEdge& a, const HalfEdge& b) {
-		if (isBroken[a.face] != 0 && isBroken[b.face] != 0 && sideOf(a.face) == sideOf(b.face) &&
-		    partOf(a.face) == partOf(b.face)) {
-			inner_.push_back({a, b});
-			sets.unite(a.face, b.face);
+Status Marker::joinPieces() {
+	const std::size_t n = output_.triangles.size();
+	const int threads = arrangement_.options.threads;
+	ConcurrentSets sets(n);
+	HugeVector<std::uint8_t> joins = HugeVector<std::uint8_t>::forOverwrite(halfEdges_.size());
+	set_.resizeForOverwrite(n);
+	inner_.assign(n, 0);
+	const auto join = [&](std::size_t begin, std::size_t end) {
+		for (std::size_t i = begin; i < end; ++i) {
+			joins[i] = joinsNext(i) ? 1 : 0;
+			if (joins[i] != 0) {
+				sets.unite(halfEdges_[i].face, halfEdges_[i + 1].face);
+			}
 		}
-	});
-	sets.flatten();
-	set_.resize(sets.size());
-	for (std::uint32_t f = 0; f < set_.size(); ++f) {
-		set_[f] = sets.root(f);
+	};
+	const auto listSets = [&](std::size_t begin, std::size_t end) {
+		sets.flatten(begin, end);
+		for (std::size_t f = begin; f < end; ++f) {
+			set_[f] = sets.root(static_cast<std::uint32_t>(f));
+		}
+	};
+	const auto makeSets = [&](std::size_t begin, std::size_t end) { sets.makeSets(begin, end); };
+	const Status status =
+	    inOrder([&] { return parallelFor(n, kGrain, threads, monitor_, makeSets); },
+	            [&] { return parallelFor(joins.size(), kGrain, threads, monitor_, join); },
+	            [&] { return parallelFor(n, kGrain, threads, monitor_, listSets); });
+	for (std::size_t i = 0; i < joins.size() && status.ok(); ++i) {
+		if (joins[i] != 0) {
+			markFaux(inner_[halfEdges_[i].face], halfEdges_[i].corner);
+			markFaux(inner_[halfEdges_[i + 1].face], halfEdges_[i + 1].corner);
+		}
 	}
+	return status;
 }
 
-// Each vertex of a simple polygon begins one edge of its border.
+// Of a simple polygon, each vertex begins one edge of the border, and the faces are two fewer than
+// these: what fails by counts needs no look at its vertices.
 Status Marker::findSimple() {
-	std::vector<std::uint8_t> inner(set_.size(), 0);  // as faux edges are marked
-	for (const auto& pair : inner_) {
-		for (const HalfEdge& h : pair) {
-			markFaux(inner[h.face], h.corner);
-		}
-	}
-	std::vector<std::uint32_t> faces(set_.size(), 0), corners(set_.size(), 0);
-	std::vector<SetVertex> used,
-	    starts;  // corners of faces; those that an edge of the border leaves
-	used.reserve(3 * broken_.size());
+	std::vector<std::uint32_t> faces(set_.size(), 0), border(set_.size(), 0);
 	for (const std::uint32_t f : broken_) {
 		++faces[set_[f]];
 		for (std::size_t i = 0; i < 3; ++i) {
+			border[set_[f]] += isFaux(inner_[f], i) ? 0 : 1;
+		}
+	}
+	isSimple_.assign(set_.size(), 1);
+	for (const std::uint32_t f : broken_) {
+		if (faces[set_[f]] + 2 != border[set_[f]]) {
+			isSimple_[set_[f]] = 0;
+		}
+	}
+	return checkVertices();
+}
+
+// Marks the sets as not simple that have a vertex with none or several edges of the border.
+Status Marker::checkVertices() {
+	std::vector<SetVertex> used,
+	    starts;  // corners of faces; those that an edge of the border leaves
+	for (const std::uint32_t f : broken_) {
+		for (std::size_t i = 0; isSimple_[set_[f]] != 0 && i < 3; ++i) {
 			used.push_back({output_.triangles[f][i], set_[f]});
-			if (!isFaux(inner[f], i)) {
+			if (!isFaux(inner_[f], i)) {
 				starts.push_back(used.back());
-				++corners[set_[f]];
 			}
 		}
 	}
@@ -197,7 +265,6 @@ Status Marker::findSimple() {
 		    arrangement_.options.threads, monitor_);
 	};
 	const Status status = inOrder([&] { return sort(used); }, [&] { return sort(starts); });
-	isSimple_.assign(set_.size(), 1);
 	auto start = starts.begin();
 	const auto begins = [&](auto first, auto) {
 		const auto end =
@@ -210,39 +277,30 @@ Status Marker::findSimple() {
 	if (status.ok()) {
 		forEachGroup(used.begin(), used.end(), std::equal_to<>(), begins);
 	}
-	for (const std::uint32_t f : broken_) {
-		if (faces[set_[f]] + 2 != corners[set_[f]]) {
-			isSimple_[set_[f]] = 0;
-		}
-	}
 	return status;
 }
 
 void Marker::markSimple() {
-	for (const auto& pair : inner_) {
-		for (const HalfEdge& h : pair) {
-			if (isSimple_[set_[h.face]] != 0) {
-				markFaux(output_.faux[h.face], h.corner);
-			}
+	for (const std::uint32_t f : broken_) {
+		if (isSimple_[set_[f]] != 0) {
+			output_.faux[f] = inner_[f];
 		}
 	}
 }
 
 Status Marker::run() {
-	countWholeFaces();
-	markIntact();
-	Status status;
-	// Faces merged across polygons belong to none of them.
-	if (!broken_.empty() && !arrangement_.options.mergeCoplanar) {
-		listHalfEdges();
-		status = sortHalfEdges();
-		if (status.ok()) {
-			joinPieces();
-			status = findSimple();
-		}
-	}
+	Status status = findWholeFaces();
 	if (status.ok()) {
-		markSimple();
+		countWholeFaces();
+		markIntact();
+	}
+	// Faces merged across polygons belong to none of them.
+	if (status.ok() && !broken_.empty() && !arrangement_.options.mergeCoplanar) {
+		status = inOrder([this] { return listHalfEdges(); }, [this] { return joinPieces(); },
+		                 [this] { return findSimple(); });
+		if (status.ok()) {
+			markSimple();
+		}
 	}
 	if (std::none_of(output_.faux.begin(), output_.faux.end(), [](std::uint8_t m) { return m; })) {
 		output_.faux.clear();

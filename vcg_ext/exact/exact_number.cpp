@@ -3,6 +3,7 @@
 #include "vcg_ext/exact/exact_number.h"
 
 #include <algorithm>
+#include <cstring>
 #include <limits>
 
 namespace index_boolean {
@@ -23,15 +24,27 @@ BoundedPair operator/(BoundedPair a, BoundedPair b) {
 	return {high, low, error * (1 + 4 * kRoundoff) * Bounded::kGrow + kUnderflow};
 }
 
+// By the bits of the double: as an integer of at most 53 bits, without trailing zeros.
 Dyadic::Dyadic(double exact) : exponent_(0) {
-	int exponent = 0;
-	const double fraction = std::frexp(exact, &exponent);
-	const auto bits = static_cast<std::int64_t>(std::ldexp(fraction, 53));
-	if (bits != 0) {
-		const std::int64_t lowestBit = bits & -bits;
-		mantissa_ = bits / lowestBit;
-		exponent_ = exponent - 53 + std::ilogb(static_cast<double>(lowestBit));
+	constexpr unsigned kFraction = 52;
+	std::uint64_t bits = 0;
+	static_assert(sizeof bits == sizeof exact);
+	std::memcpy(&bits, &exact, sizeof bits);
+	const auto biased = static_cast<std::int64_t>(bits >> kFraction & 0x7ff);
+	const std::uint64_t fraction = bits & ((std::uint64_t{1} << kFraction) - 1);
+	const std::uint64_t size = biased == 0 ? fraction : fraction | std::uint64_t{1} << kFraction;
+	if (size != 0) {
+		const int zeros = __builtin_ctzll(size);
+		const auto mantissa = static_cast<std::int64_t>(size >> zeros);
+		mantissa_ = std::signbit(exact) ? -mantissa : mantissa;
+		exponent_ = (biased == 0 ? 1 : biased) - 1075 + zeros;
 	}
+}
+
+Dyadic Dyadic::difference(double a, double b) {
+	double lost;
+	const double rounded = twoSum(a, -b, lost);
+	return lost == 0 ? Dyadic(rounded) : Dyadic(a) - Dyadic(b);
 }
 
 Dyadic operator+(const Dyadic& a, const Dyadic& b) {

@@ -187,6 +187,9 @@ public:
 	Dyadic(Integer mantissa, std::int64_t exponent)
 	    : mantissa_(std::move(mantissa)), exponent_(exponent) {}
 
+	// a - b: mostly a double, so that no integers are added. O(1).
+	static Dyadic difference(double a, double b);
+
 	int sign() const { return mantissa_.sign(); }
 	const Integer& mantissa() const { return mantissa_; }
 	std::int64_t exponent() const { return exponent_; }

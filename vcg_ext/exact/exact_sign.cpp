@@ -19,8 +19,8 @@ using Vector = std::array<N, 3>;
 template <class N>
 Vector<N> difference(const Point& a, const Point& b) {
 	const auto component = [&](std::size_t k) {
-		if constexpr (std::is_same_v<N, BoundedPair>) {
-			return BoundedPair::difference(a[k], b[k]);
+		if constexpr (std::is_same_v<N, BoundedPair> || std::is_same_v<N, Dyadic>) {
+			return N::difference(a[k], b[k]);
 		} else {
 			return N(a[k]) - N(b[k]);
 		}

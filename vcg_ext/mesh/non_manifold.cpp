@@ -3,8 +3,10 @@
 #include "vcg_ext/mesh/non_manifold.h"
 
 #include "vcg_ext/base/huge_vector.h"
+#include "vcg_ext/base/index_table.h"
 
 #include <algorithm>
+#include <optional>
 
 namespace index_boolean {
 
@@ -55,8 +57,7 @@ Links collectLinks(const Triangle* begin, const Triangle* end, VertexRange range
 // only, so no other then leaves there.
 class CycleCheck {
 public:
-	// \param edges may be put in another order
-	bool isOneCycle(OppositeEdge* edges, std::size_t n) {
+	bool isOneCycle(const OppositeEdge* edges, std::size_t n) {
 		return (n <= kFew && isShortCycle(edges, n)) || isAnyCycle(edges, n);
 	}
 
@@ -81,35 +82,47 @@ private:
 		return edge == 0 && steps == n;
 	}
 
-	static bool isAnyCycle(OppositeEdge* edges, std::size_t n) {
-		std::sort(edges, edges + n,
-		          [](const OppositeEdge& a, const OppositeEdge& b) { return a.from < b.from; });
-		const OppositeEdge* edge = edges;
+	bool isAnyCycle(const OppositeEdge* edges, std::size_t n) {
+		const auto hashOf = [](std::uint32_t vertex) {
+			const std::uint64_t hash = vertex * 0x9e3779b97f4a7c15U;
+			return hash ^ hash >> 32;
+		};
+		const auto begins = [edges](std::uint32_t vertex) {
+			return [edges, vertex](std::uint32_t i) { return edges[i].from == vertex; };
+		};
+		if (!table_) {
+			table_.emplace();
+		}
+		table_->reset(n);
+		for (std::uint32_t i = 0; i < n; ++i) {
+			std::uint32_t& slot = table_->slotOf(hashOf(edges[i].from), begins(edges[i].from));
+			if (slot != IndexTable::kNone) {
+				return false;  // a vertex twice
+			}
+			slot = i;
+		}
+		std::uint32_t edge = 0;
 		std::size_t steps = 0;
 		do {
-			const std::uint32_t vertex = edge->to;
-			edge = std::lower_bound(
-			    edges, edges + n, vertex,
-			    [](const OppositeEdge& e, std::uint32_t wanted) { return e.from < wanted; });
-			if (edge == edges + n || edge->from != vertex) {
-				return false;
-			}
+			const std::uint32_t vertex = edges[edge].to;
+			edge = table_->find(hashOf(vertex), begins(vertex));
 			++steps;
-		} while (edge != edges && steps < n);
-		return edge == edges && steps == n;
+		} while (edge != 0 && edge != IndexTable::kNone && steps < n);
+		return edge == 0 && steps == n;
 	}
 
 	static std::size_t placeOf(std::uint32_t vertex) { return vertex % kPlaces; }
 
 	static constexpr std::size_t kPlaces = 1024;
 	std::array<std::uint8_t, kPlaces> edgeFrom_{};
+	std::optional<IndexTable> table_;  // of many edges, by their first vertices; if ever needed
 };
 
 }  // namespace
 
 void findNonManifoldVertices(const Triangle* begin, const Triangle* end, VertexRange range,
                              std::vector<VertexId>& out) {
-	Links links = collectLinks(begin, end, range);
+	const Links links = collectLinks(begin, end, range);
 	CycleCheck check;
 	for (std::uint32_t v = 0; v < range.end - range.begin; ++v) {
 		const std::uint32_t first = links.first[v];
@@ -121,7 +134,7 @@ void findNonManifoldVertices(const Triangle* begin, const Triangle* end, VertexR
 }
 
 bool isClosedManifold(const Triangle* begin, const Triangle* end, VertexRange range) {
-	Links links = collectLinks(begin, end, range);
+	const Links links = collectLinks(begin, end, range);
 	CycleCheck check;
 	for (std::uint32_t v = 0; v < range.end - range.begin; ++v) {
 		const std::uint32_t first = links.first[v];

@@ -21,7 +21,7 @@ struct VertexRange {
 // of an edge with more than two faces, and where parts of the surface meet at a vertex alone.
 // \param begin, end closed, consistently oriented triangles; no corner twice in one of them
 // \param out        appended to, ascending
-// Complexity: O(n), but O(d log d) for a vertex with d faces, d large. 8 bytes a corner in range.
+// Complexity: O(n) as expected. 8 bytes a corner in range.
 void findNonManifoldVertices(const Triangle* begin, const Triangle* end, VertexRange range,
                              std::vector<VertexId>& out);
 

@@ -92,6 +92,7 @@ public:
 private:
 	struct Half;
 	using Ends = std::pair<std::uint32_t, std::uint32_t>;
+	void reserveHalfEdges(std::size_t firstFace);
 	void collectHalfEdges(std::size_t firstFace);
 	Status sortHalfEdges();
 	void findPairs();
@@ -132,7 +133,23 @@ struct Separator::Half {
 	std::uint32_t midpoint;
 };
 
+// Around an edge with many faces, arrays that grow cost more than counting first.
+void Separator::reserveHalfEdges(std::size_t firstFace) {
+	std::size_t faces = 0, halfEdges = 0;
+	for (std::size_t f = firstFace; f < block_.triangles.size(); ++f) {
+		const auto& t = block_.triangles[f];
+		const std::size_t suspect =
+		    (isSuspect(t[0]) ? 1U : 0U) + (isSuspect(t[1]) ? 1U : 0U) + (isSuspect(t[2]) ? 1U : 0U);
+		faces += suspect > 0 ? 1 : 0;
+		halfEdges += suspect == 1 ? 2 : (suspect > 1 ? 3 : 0);
+	}
+	faces_.reserve(faces);
+	halfEdges_.reserve(halfEdges);
+	simplePairs_.reserve(halfEdges / 2);
+}
+
 void Separator::collectHalfEdges(std::size_t firstFace) {
+	reserveHalfEdges(firstFace);
 	for (std::size_t f = firstFace; f < block_.triangles.size(); ++f) {
 		const auto& t = block_.triangles[f];
 		if (!isSuspect(t[0]) && !isSuspect(t[1]) && !isSuspect(t[2])) {
@@ -178,6 +195,8 @@ void Separator::findPairs() {
 void Separator::addFan(std::uint32_t begin, std::uint32_t end) {
 	Fan fan;
 	std::vector<FanFace> faces;
+	faces.reserve(end - begin);
+	fan.around.reserve(end - begin);
 	for (std::uint32_t h = begin; h < end; ++h) {
 		const std::uint32_t face = faces_[halfEdges_[h].face];
 		const std::size_t apex = next(next(halfEdges_[h].corner));
@@ -228,6 +247,7 @@ void Separator::pairUp(Fan& fan) const {
 		}
 	}
 	fan.pairs.clear();
+	fan.pairs.reserve(n / 2);
 	std::vector<std::uint32_t> open;
 	for (std::size_t i = start; i < start + n; ++i) {
 		if (opens(i)) {
@@ -502,6 +522,7 @@ Status copyNonManifold(const Arrangement& arrangement, Monitor& monitor, Block& 
 	const auto sortFan = [&](std::uint32_t low, std::uint32_t high,
 	                         const std::vector<FanFace>& faces, std::vector<RadialPlace>& places) {
 		std::vector<HalfPlane> halfPlanes;
+		halfPlanes.reserve(faces.size());
 		for (const FanFace& f : faces) {
 			const FaceSource& source = block.faceSource[f.face];
 			halfPlanes.push_back({source.face, f.forward != source.turned});

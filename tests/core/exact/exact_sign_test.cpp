@@ -276,6 +276,32 @@ TEST(ExactSign, roundingDoesNotDependOnTheOrderOfCorners) {
 	}
 }
 
+TEST(ExactSign, differencesOfDoublesAreExact) {
+	using boost::multiprecision::cpp_int;
+	const auto valueOf = [](const Dyadic& d) {
+		const Rational mantissa{cpp_int(d.mantissa())};
+		const Rational power{cpp_int(1) << static_cast<unsigned>(std::abs(d.exponent()))};
+		return d.exponent() < 0 ? Rational(mantissa / power) : Rational(mantissa * power);
+	};
+	constexpr double kMost = std::numeric_limits<double>::max();
+	constexpr double kLeast = std::numeric_limits<double>::denorm_min();
+	std::vector<double> numbers{0.0,    -0.0,    1,          0.1,       -0.3,
+	                            1e17,   1e300,   -1e-300,    kMost,     -kMost,
+	                            kLeast, -kLeast, 7 * kLeast, 0x1p-1022, 0x1p52};
+	std::mt19937 random(4);
+	std::uniform_real_distribution<double> place(-1, 1);
+	for (int i = 0; i < 20; ++i) {
+		numbers.push_back(place(random));
+	}
+	for (const double a : numbers) {
+		EXPECT_EQ(valueOf(Dyadic(a)), Rational(a)) << a;
+		for (const double b : numbers) {
+			EXPECT_EQ(valueOf(Dyadic::difference(a, b)), Rational(a) - Rational(b))
+			    << a << ' ' << b;
+		}
+	}
+}
+
 TEST(ExactSign, quotientsRoundToNearestAlsoWhereTheyAreDenormal) {
 	const auto quotient = [](double n, double scale, double d) {
 		return roundedQuotient(Dyadic(n) * Dyadic(scale), Dyadic(d));
