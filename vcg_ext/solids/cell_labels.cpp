@@ -5,6 +5,7 @@
 #include "vcg_ext/solids/cell_labels.h"
 
 #include "vcg_ext/parts/sub_blocks.h"
+#include "vcg_ext/solids/cell_blocks.h"
 
 #include <algorithm>
 
@@ -23,13 +24,14 @@ void listCells(const Arrangement& arrangement, const SubBlocks& blocks, CellLabe
 	}
 }
 
-// Notes what has been turned, and sums up the volumes.
+// Notes what has been turned, and sums up the volumes of what is inside.
 void measureOperands(const SubBlocks& blocks, Arrangement& arrangement) {
 	arrangement.insideOut = blocks.turned;
 	for (const OperandId operand : arrangement.mesh.operands()) {
 		double volume = 0;
 		for (const SubBlock& block : blocks.all) {
-			volume += block.windings[operand] * block.volume;
+			const bool isIn = isInside(arrangement.options.windingRule, block.windings[operand]);
+			volume += isIn ? block.volume : 0;
 		}
 		arrangement.volume[operand] = volume;
 	}

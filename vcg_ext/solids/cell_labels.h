@@ -13,8 +13,7 @@
 namespace index_boolean {
 
 // Fills arrangement.cells, turns operands of which no cell has a positive winding number (noted in
-// insideOut), and fills volume: of each closed operand, the sum over cells of winding numbers times
-// volumes. \pre the arrangement is a soup's, and knows which operands are closed as cut
+// insideOut), and fills volume: of what the winding rule calls inside each closed operand. \pre the arrangement is a soup's, and knows which operands are closed as cut
 // \return Ok, Cancelled, OutOfMemory, InternalError
 // Complexity: as findSubSurfaces and findSubBlocks; O(c N) memory for c cells and N operands.
 Status labelCells(Arrangement& arrangement, Monitor& monitor);
