@@ -19,6 +19,7 @@ struct RunReport {
 	LoopCounts loopCounts;
 	PlaceRepair placeRepair;
 	bool isLabelledByCells = false;            // operands that may meet themselves: one soup
+	PerOperand<std::size_t> turnedAlike;       // faces turned as their neighbours are
 	PerOperand<std::size_t> selfIntersecting;  // faces of each that meet others of it wrongly
 	std::vector<StageTime> stageTimes;         // in the order of the stages
 	double seconds = 0;                        // from arrays to arrays
@@ -41,6 +42,7 @@ inline RunReport reportOf(const Arrangement& arrangement) {
 	report.loopCounts = arrangement.loopCounts;
 	report.placeRepair = arrangement.placeRepair;
 	report.isLabelledByCells = arrangement.isSoup;
+	report.turnedAlike = arrangement.turnedAlike;
 	report.selfIntersecting = arrangement.selfIntersecting;
 	report.stageTimes = arrangement.stageTimes;
 	return report;

@@ -182,6 +182,11 @@ std::string duplicatesMessage(const LayerName& layer, std::size_t takenOnce,
 	return text + ".";
 }
 
+std::string turnedAlikeMessage(const LayerName& layer, std::size_t faces) {
+	return "Layer " + quoted(layer) + " has " + counted(faces, "face") +
+	       (faces == 1 ? " that was" : " that were") + " turned as the neighbours are.";
+}
+
 std::string resolvedMessage(const LayerName& layer, std::size_t faces) {
 	return "Layer " + quoted(layer) + " meets itself in " + counted(faces, "face") +
 	       ", which have been resolved.";
@@ -192,6 +197,9 @@ std::vector<std::string> operandMessages(const RunReport& report, const LayerNam
 	for (const OperandId operand : layers.operands()) {
 		if (report.insideOut[operand]) {
 			messages.push_back(turnedMessage(layers[operand]));
+		}
+		if (report.turnedAlike[operand] > 0) {
+			messages.push_back(turnedAlikeMessage(layers[operand], report.turnedAlike[operand]));
 		}
 		if (report.selfIntersecting[operand] > 0) {
 			messages.push_back(resolvedMessage(layers[operand], report.selfIntersecting[operand]));

@@ -34,6 +34,9 @@ std::string unexpectedMessage(const char* what);
 // The core has turned the layer's faces: it was inside out, or its matrix mirrors it.
 std::string turnedMessage(const LayerName& layer);
 
+// Faces of the layer were turned against their neighbours.
+std::string turnedAlikeMessage(const LayerName& layer, std::size_t faces);
+
 // Faces of the layer meet others of it wrongly, and that has been resolved.
 std::string resolvedMessage(const LayerName& layer, std::size_t faces);
 

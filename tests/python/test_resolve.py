@@ -114,14 +114,23 @@ class TestRefusals:
         made = run_boolean(*layer, *FAR, self_intersections=mode)["result"]
         assert made["union_volume"] == pytest.approx(9)
 
-    def test_inconsistentOrientationIsTakenByTheOddRule(self):
+    def test_facesAreTurnedAsTheirNeighboursAre(self):
         vertices, faces = box((0, 0, 0), (2, 2, 2))
         faces = faces.copy()
-        faces[0] = faces[0][::-1]
-        with pytest.raises(pymeshlab.PyMeshLabException, match="winding_rule to odd"):
-            run_boolean(vertices, faces, *FAR)
-        made = run_boolean(vertices, faces, *FAR, winding_rule="odd")["result"]
-        assert made["union_volume"] == pytest.approx(9)
+        faces[:5] = faces[:5, ::-1]
+        for rule in ("nonzero", "positive", "odd"):
+            assert volumes_of((vertices, faces), FAR, winding_rule=rule)["union"] == pytest.approx(9)
+
+    def test_aOneSidedLayerIsTakenByTheOddRuleOnly(self):
+        corners = [(1, 0, 0), (-1, 0, 0), (0, 1, 0), (0, -1, 0), (0, 0, 1), (0, 0, -1)]
+        squares = [(0, 2, 1, 3), (2, 4, 3, 5), (4, 0, 5, 1)]
+        triangles = [(0, 2, 4), (0, 3, 5), (1, 2, 5), (1, 3, 4)]
+        faces = triangles + [t for a, b, c, d in squares for t in ((a, b, c), (a, c, d))]
+        layer = np.array(corners, dtype=np.float64), np.array(faces)
+        for rule in ("nonzero", "positive"):
+            with pytest.raises(pymeshlab.PyMeshLabException, match="winding_rule to odd"):
+                run_boolean(*layer, *FAR, winding_rule=rule)
+        assert volumes_of(layer, FAR, winding_rule="odd")["union"] == pytest.approx(1 + 2 / 3)
 
     def test_aLayerThatCancelsIsRefused(self):
         cube = box((0, 0, 0), (1, 1, 1))

@@ -278,6 +278,7 @@ struct Arrangement {
 	PerOperand<bool> insideOut;  // the operand is closed and was given inside out; for
 	                             // blocks it has been turned
 	DuplicateFaces duplicates;
+	PerOperand<std::size_t> turnedAlike;       // faces that were turned against their neighbours
 	PerOperand<std::size_t> selfIntersecting;  // faces that meet others of the same operand
 	                                           // wrongly; [soup_contacts], else 0
 	PerOperand<double> volume;  // of each operand that is closed, else 0; in a soup, with what is

@@ -54,6 +54,9 @@ Status numberPoints(Arrangement& arrangement, const Contacts& contacts, Monitor&
 	const std::size_t vertexCount = arrangement.mesh.points.size();
 	curve.onOther = arrangement.mesh.quietVertices;
 	curve.onOther.resize(vertexCount, 0);
+	for (const VertexId v : arrangement.nonManifold) {  // surfaces of a soup may meet there
+		at(curve.onOther, v) |= arrangement.isSoup ? 1 : 0;
+	}
 	std::vector<NamedSlot> slots = takeInputVertices(contacts, curve, vertexOfName);
 	const auto keyOf = [vertexCount](const NamedSlot& slot) {
 		const bool isOnFace = slot.name.kind == PointKind::EdgeFace;

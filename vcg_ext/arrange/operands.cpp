@@ -5,6 +5,7 @@
 // only a sum that is not zero starts the search for the places.
 #include "vcg_ext/arrange/operands.h"
 
+#include "vcg_ext/arrange/alike_faces.h"
 #include "vcg_ext/arrange/duplicate_faces.h"
 #include "vcg_ext/arrange/joined_polygons.h"
 #include "vcg_ext/base/parallel.h"
@@ -589,6 +590,7 @@ void makeRoomForOperands(Arrangement& arrangement) {
 	arrangement.duplicates.cancelledPairs = PerOperand<std::size_t>(count);
 	arrangement.duplicates.takenOnce = PerOperand<std::size_t>(count);
 	arrangement.selfIntersecting = PerOperand<std::size_t>(count);
+	arrangement.turnedAlike = PerOperand<std::size_t>(count);
 	arrangement.volume = PerOperand<double>(count);
 }
 
@@ -654,6 +656,7 @@ Status prepareSoup(Arrangement& arrangement, Monitor& monitor) {
 		               return findClosed(arrangement, monitor);
 	               },
 	               [&] { return takeRepeatedFacesOnce(arrangement, monitor); },
+	               [&] { return turnFacesAlike(arrangement, monitor); },
 	               [&] {
 		               findSoupNonManifold(arrangement);
 		               return lookAtFaces(arrangement, monitor, seen);
