@@ -161,6 +161,26 @@ def kind_part(args, kind, rows):
     return f"{title}\n\n" + markdown([headers[column] for column in keep], table)
 
 
+def sums_part(args, rows):
+    """Of each kind the seconds of all steps in sum, of the chains that every system finished."""
+    unfinished = {(row["kind"], row["seed"]) for row in rows if row["stopped"]}
+    rows = [row for row in rows if (row["kind"], row["seed"]) not in unfinished]
+
+    def line(name, kinds):
+        chosen = [row for row in rows if row["kind"] in kinds]
+        sums = [
+            sum(step["seconds"] for row in chosen if row["system"] == s for step in row["steps"])
+            for s in args.systems
+        ]
+        times = [duration(sums[0])] + [f"{duration(t)} ({t / sums[0]:.2f}×)" for t in sums[1:]]
+        return [name, str(len({(row["kind"], row["seed"]) for row in chosen})), *times]
+
+    kinds = [kind for kind in args.kinds if any(row["kind"] == kind for row in rows)]
+    lines = [line(kind, [kind]) for kind in kinds] + ([line("in sum", kinds)] if kinds else [])
+    table = markdown(["kind", "chains", *args.systems], lines)
+    return "Seconds of the chains that all of these systems finish\n\n" + table
+
+
 def steps_of(args, kind):
     most = KINDS[kind].steps
     if args.steps is None:
@@ -176,7 +196,7 @@ def page(args, rows):
     )
     kinds = [kind for kind in args.kinds if any(row["kind"] == kind for row in rows)]
     tables = [kind_part(args, kind, [r for r in rows if r["kind"] == kind]) for kind in kinds]
-    return "\n\n".join([head, *tables]) + "\n"
+    return "\n\n".join([head, *tables, sums_part(args, rows)]) + "\n"
 
 
 def names_from(text, known, what, parser):

@@ -54,6 +54,24 @@ def test_chainsRunBesideOtherSystems(tmp_path):
                 assert step["expected"] == pytest.approx(step["volume"], rel=1e-12)
 
 
+def test_sumsAreOfTheChainsThatAllFinish():
+    class Arguments:
+        kinds, systems = ["carve", "grow"], ["here", "Manifold"]
+
+    rows = [
+        {"kind": kind, "seed": seed, "system": system, "stopped": stopped,
+         "steps": [{"seconds": seconds}, {"seconds": 0.5}]}
+        for kind, seed, system, stopped, seconds in [
+            ("carve", 1, "here", None, 1.5), ("carve", 1, "Manifold", None, 2.5),
+            ("carve", 2, "here", "refused", 9), ("carve", 2, "Manifold", None, 9),
+            ("grow", 1, "here", None, 1.5), ("grow", 1, "Manifold", None, 4.5),
+        ]
+    ]
+    text = chains.sums_part(Arguments, rows)
+    assert cells(text, "carve") == ["carve", "1", "2 s", "3 s (1.50×)"]
+    assert cells(text, "in sum") == ["in sum", "2", "4 s", "8 s (2.00×)"]
+
+
 def test_aChainThatIsCutOrRefusedIsAnEntry(tmp_path):
     arguments = "--kinds", "grid_any_5", "--systems", "Manifold", "--json", tmp_path / "rows"
     text = run_program("chains.py", *arguments, "--limit", "0.000001")
