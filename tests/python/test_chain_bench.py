@@ -118,11 +118,21 @@ def test_resultsAreJudgedBesideOtherSystems(tmp_path):
         assert answer["blocks"]["union"][4] > 0
 
 
-def test_anglesAreCountedOnceEach():
-    text = run_program("results_hold.py", "--angles", "torus, torus moved", "--systems", "Manifold")
-    row = cells(text, "Manifold")
-    assert int(row[1]) == sum(int(count) for count in row[3:] if count)
+def test_anglesAreCountedOnceEach(tmp_path):
+    page, plot = tmp_path / "page.md", tmp_path / "plot.svg"
+    page.write_text("before\n<!-- thin -->\n<!-- /thin -->\nafter\n")
+    text = run_program(
+        "results_hold.py", "--angles", "torus, torus moved; box, tetrahedron on it", "--systems",
+        "here,Manifold", "--thin", page, "--plot", plot,
+    )
+    for line in text.splitlines():
+        if line.startswith(("| here", "| Manifold")):
+            row = [cell.strip() for cell in line.strip("|").split("|")]
+            assert int(row[1]) == sum(int(count) for count in row[3:] if count)
+    assert cells(page.read_text(), "torus, torus moved") == cells(text, "torus, torus moved")
+    assert page.read_text().startswith("before\n") and page.read_text().endswith("after\n")
+    assert plot.read_text().count("</svg>") == 1
     figures = results_hold.angles_of(*cube(1.0))
-    assert figures["faces"] == 12 and figures["angles"][-1] == 12
-    assert len(figures["angles"]) == len(results_hold.ANGLES) - 1
+    assert figures["faces"] == 12 and figures["angles"][-1] == sum(figures["drawn"]) == 12
+    assert len(figures["angles"]) == len(results_hold.ANGLES) - 1 and figures["needles"] == 0
     assert judges.judge(*cube(1.0)).meeting == 0
