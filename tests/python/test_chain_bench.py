@@ -59,17 +59,19 @@ def test_sumsAreOfTheChainsThatAllFinish():
         kinds, systems = ["carve", "grow"], ["here", "Manifold"]
 
     rows = [
-        {"kind": kind, "seed": seed, "system": system, "stopped": stopped,
+        {"kind": kind, "seed": seed, "system": system, "stopped": stopped, "off": off,
          "steps": [{"seconds": seconds}, {"seconds": 0.5}]}
-        for kind, seed, system, stopped, seconds in [
-            ("carve", 1, "here", None, 1.5), ("carve", 1, "Manifold", None, 2.5),
-            ("carve", 2, "here", "refused", 9), ("carve", 2, "Manifold", None, 9),
-            ("grow", 1, "here", None, 1.5), ("grow", 1, "Manifold", None, 4.5),
+        for kind, seed, system, stopped, off, seconds in [
+            ("carve", 1, "here", None, 0, 1.5), ("carve", 1, "Manifold", None, 1e-9, 2.5),
+            ("carve", 2, "here", "refused", 0, 9), ("carve", 2, "Manifold", None, 0, 9),
+            ("grow", 1, "here", None, 0, 1.5), ("grow", 1, "Manifold", None, 0.1, 4.5),
         ]
     ]
     text = chains.sums_part(Arguments, rows)
-    assert cells(text, "carve") == ["carve", "1", "2 s", "3 s (1.50×)"]
-    assert cells(text, "in sum") == ["in sum", "2", "4 s", "8 s (2.00×)"]
+    assert cells(text, "carve") == ["carve", "1", "2 s", "3 s (1.5×)"]
+    assert cells(text, "grow") == ["grow", "1", "2 s", "5 s* (2.5×)"]
+    assert cells(text, "in sum") == ["in sum", "2", "4 s", "8 s* (2×)"]
+    assert cells(text, "those without *, in sum")[1:] == cells(text, "carve")[1:]
 
 
 def test_aChainThatIsCutOrRefusedIsAnEntry(tmp_path):
