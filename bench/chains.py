@@ -28,6 +28,7 @@ HERE = Path(__file__).resolve().parent
 PLUGIN = HERE.parent / "build/release/hosts/pymeshlab/libfilter_indexboolean.so"
 KINDS = chain_kinds.KINDS
 JUDGED_FACES = 400_000  # a larger surface is not judged
+WRONG = 1e-6  # of a volume, relative
 HEADERS = [
     "system", "chains finished", "steps", "seconds in sum", "faces", "volume off by",
     "wrong faces, as stored / as floats", "first wrong at step", "stopped by",
@@ -161,6 +162,37 @@ def kind_part(args, kind, rows):
     return f"{title}\n\n" + markdown([headers[column] for column in keep], table)
 
 
+def sums_part(args, rows):
+    """Of each kind the seconds of all steps in sum, of the chains that every system finished."""
+    unfinished = {(row["kind"], row["seed"]) for row in rows if row["stopped"]}
+    rows = [row for row in rows if (row["kind"], row["seed"]) not in unfinished]
+    wrong = {(row["kind"], row["seed"]) for row in rows if has_wrong_volume(row)}
+    right = [row for row in rows if (row["kind"], row["seed"]) not in wrong]
+    kinds = [kind for kind in args.kinds if any(row["kind"] == kind for row in rows)]
+    parts = [(kind, [row for row in rows if row["kind"] == kind]) for kind in kinds]
+    parts += [("in sum", rows), ("those without *, in sum", right)]
+    lines = [sums_line(args.systems, name, chosen) for name, chosen in parts if chosen]
+    table = markdown(["kind", "chains", *args.systems], lines)
+    title = "Seconds of the chains that all of these systems finish; *: to a wrong volume"
+    return f"{title}\n\n{table}"
+
+
+def sums_line(systems, name, rows):
+    """The seconds of the systems on the same chains, and multiples of the first's."""
+    cells, first = [], None
+    for system in systems:
+        own = [row for row in rows if row["system"] == system]
+        seconds = sum(step["seconds"] for row in own for step in row["steps"])
+        first = first or seconds
+        cell = duration(seconds) + ("*" if any(map(has_wrong_volume, own)) else "")
+        cells.append(f"{cell} ({seconds / first:.2g}×)" if cells else cell)
+    return [name, str(len({(row["kind"], row["seed"]) for row in rows})), *cells]
+
+
+def has_wrong_volume(row):
+    return (largest_error(row) or 0) > WRONG
+
+
 def steps_of(args, kind):
     most = KINDS[kind].steps
     if args.steps is None:
@@ -176,7 +208,7 @@ def page(args, rows):
     )
     kinds = [kind for kind in args.kinds if any(row["kind"] == kind for row in rows)]
     tables = [kind_part(args, kind, [r for r in rows if r["kind"] == kind]) for kind in kinds]
-    return "\n\n".join([head, *tables]) + "\n"
+    return "\n\n".join([head, *tables, sums_part(args, rows)]) + "\n"
 
 
 def names_from(text, known, what, parser):

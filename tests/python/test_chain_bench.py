@@ -54,6 +54,26 @@ def test_chainsRunBesideOtherSystems(tmp_path):
                 assert step["expected"] == pytest.approx(step["volume"], rel=1e-12)
 
 
+def test_sumsAreOfTheChainsThatAllFinish():
+    class Arguments:
+        kinds, systems = ["carve", "grow"], ["here", "Manifold"]
+
+    rows = [
+        {"kind": kind, "seed": seed, "system": system, "stopped": stopped, "off": off,
+         "steps": [{"seconds": seconds}, {"seconds": 0.5}]}
+        for kind, seed, system, stopped, off, seconds in [
+            ("carve", 1, "here", None, 0, 1.5), ("carve", 1, "Manifold", None, 1e-9, 2.5),
+            ("carve", 2, "here", "refused", 0, 9), ("carve", 2, "Manifold", None, 0, 9),
+            ("grow", 1, "here", None, 0, 1.5), ("grow", 1, "Manifold", None, 0.1, 4.5),
+        ]
+    ]
+    text = chains.sums_part(Arguments, rows)
+    assert cells(text, "carve") == ["carve", "1", "2 s", "3 s (1.5×)"]
+    assert cells(text, "grow") == ["grow", "1", "2 s", "5 s* (2.5×)"]
+    assert cells(text, "in sum") == ["in sum", "2", "4 s", "8 s* (2×)"]
+    assert cells(text, "those without *, in sum")[1:] == cells(text, "carve")[1:]
+
+
 def test_aChainThatIsCutOrRefusedIsAnEntry(tmp_path):
     arguments = "--kinds", "grid_any_5", "--systems", "Manifold", "--json", tmp_path / "rows"
     text = run_program("chains.py", *arguments, "--limit", "0.000001")
@@ -100,11 +120,21 @@ def test_resultsAreJudgedBesideOtherSystems(tmp_path):
         assert answer["blocks"]["union"][4] > 0
 
 
-def test_anglesAreCountedOnceEach():
-    text = run_program("results_hold.py", "--angles", "torus, torus moved", "--systems", "Manifold")
-    row = cells(text, "Manifold")
-    assert int(row[1]) == sum(int(count) for count in row[3:] if count)
+def test_anglesAreCountedOnceEach(tmp_path):
+    page, plot = tmp_path / "page.md", tmp_path / "plot.svg"
+    page.write_text("before\n<!-- thin -->\n<!-- /thin -->\nafter\n")
+    text = run_program(
+        "results_hold.py", "--angles", "torus, torus moved; box, tetrahedron on it", "--systems",
+        "here,Manifold", "--thin", page, "--plot", plot,
+    )
+    for line in text.splitlines():
+        if line.startswith(("| here", "| Manifold")):
+            row = [cell.strip() for cell in line.strip("|").split("|")]
+            assert int(row[1]) == sum(int(count) for count in row[3:] if count)
+    assert cells(page.read_text(), "torus, torus moved") == cells(text, "torus, torus moved")
+    assert page.read_text().startswith("before\n") and page.read_text().endswith("after\n")
+    assert plot.read_text().count("</svg>") == 1
     figures = results_hold.angles_of(*cube(1.0))
-    assert figures["faces"] == 12 and figures["angles"][-1] == 12
-    assert len(figures["angles"]) == len(results_hold.ANGLES) - 1
+    assert figures["faces"] == 12 and figures["angles"][-1] == sum(figures["drawn"]) == 12
+    assert len(figures["angles"]) == len(results_hold.ANGLES) - 1 and figures["needles"] == 0
     assert judges.judge(*cube(1.0)).meeting == 0
