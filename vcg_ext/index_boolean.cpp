@@ -441,7 +441,19 @@ Status split(const Arrangement& arrangement, Monitor& monitor, Split& out) {
 	return findParts(arrangement, true, monitor, out);
 }
 
+Status splitSurfaces(const Arrangement& arrangement, Monitor& monitor, Split& out) {
+	return findParts(arrangement, false, monitor, out);
+}
+
 namespace {
+
+// Faces that an operand has more than once are walls once, but may be what closes it.
+bool hasRepeatedFacesAndIsOpen(const Arrangement& arrangement) {
+	const auto all = arrangement.mesh.operands();
+	return std::any_of(all.begin(), all.end(), [&](OperandId operand) {
+		return arrangement.duplicates.takenOnce[operand] > 0 && !arrangement.closed[operand];
+	});
+}
 
 // What an embedded operand may not do shows in the arrangement, or when its parts are found.
 // \param find finds them
@@ -450,12 +462,9 @@ Status splitAny(MeshArrays input, const InputAgain& again, const Options& option
                 Arrangement& out, Find&& find) {
 	const Status status =
 	    inOrder([&] { return arrangeSurfaces(std::move(input), options, monitor, out); }, find);
-	// Faces that an operand has more than once are walls once, but may be what closes it.
-	const auto& once = out.duplicates.takenOnce;
-	const bool anyRepeated =
-	    std::any_of(once.begin(), once.end(), [](std::size_t count) { return count > 0; });
-	if (!isOnlyForEmbedded(status.code, options.selfIntersections) &&
-	    !(status.ok() && anyRepeated)) {
+	const bool isSoup = isOnlyForEmbedded(status.code, options.selfIntersections) ||
+	                    (status.ok() && hasRepeatedFacesAndIsOpen(out));
+	if (!isSoup) {
 		return status;
 	}
 	return inOrder([&] { return arrangeAgain(kSplitSoup, again, options, monitor, out); }, find);

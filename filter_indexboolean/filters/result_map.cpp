@@ -112,7 +112,8 @@ void addCertificates(const SplitResult& result, const PieceLayers& layerIds, Res
 
 void addSubBlocks(const std::vector<SubBlock>& blocks, WindingRule rule, ResultMap& map) {
 	const auto isIn = [&](OperandId operand) {
-		return listOf(blocks, [=](const SubBlock& b) { return isInside(rule, b.windings[operand]); });
+		return listOf(blocks,
+		              [=](const SubBlock& b) { return isInside(rule, b.windings[operand]); });
 	};
 	map["sub_blocks"] = toInt(blocks.size());
 	map["sub_blocks_volumes"] = listOf(blocks, [](const SubBlock& b) { return b.volume; });

@@ -58,6 +58,9 @@ Status runSplit(MeshArrays input, const InputAgain& again, const SplitRequest& r
 	RunReport& report = result.report;
 	report = reportOf(result.arrangement);
 	report.addStages(result.split.stageTimes);
+	if (status.ok() && result.arrangement.isSoup) {
+		report.insideOut = result.split.blocks.turned;
+	}
 	const Stopwatch meshesTime;
 	if (status.ok()) {
 		status = collectSurfaceMeshes(request, progress, result);

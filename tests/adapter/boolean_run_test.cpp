@@ -23,7 +23,7 @@ BooleanRequest everything() {
 
 Status runWith(int cancelAt, BooleanResult& result) {
 	Progress progress = watch(cancelAt);
-	return runBoolean(overlappingBoxes(), everything(), progress, result);
+	return runBoolean(overlappingBoxes(), again(overlappingBoxes), everything(), progress, result);
 }
 
 TEST(BooleanRun, blocksHaveTheirVolumesInTheOrderRequested) {
@@ -51,10 +51,32 @@ TEST(BooleanRun, aHostThatAnswersFalseCancelsAtEveryCall) {
 	});
 }
 
+TEST(BooleanRun, aLayerThatMeetsItselfIsResolvedAndCancelledAtEveryCall) {
+	const auto resolve = [](int call, BooleanResult& result) {
+		Progress progress = watch(call);
+		BooleanRequest request = everything();
+		request.options.selfIntersections = SelfIntersections::Resolve;
+		return runBoolean(crossingBars(), again(crossingBars), request, progress, result);
+	};
+	BooleanResult result;
+	ASSERT_TRUE(resolve(0, result).ok());
+	expectGoodManners();
+	EXPECT_TRUE(result.report.isLabelledByCells);
+	EXPECT_DOUBLE_EQ(result.audit.blocks[0].volume, 33);
+	EXPECT_GT(result.report.selfIntersecting[kFirst], 0u);
+	EXPECT_EQ(result.report.selfIntersecting[kSecond], 0u);
+	expectCancelledAtEveryCall([&](int call) {
+		BooleanResult cancelled;
+		return resolve(call, cancelled);
+	});
+}
+
 TEST(BooleanRun, aHostWithoutACallbackIsServed) {
 	Progress progress(progressCallback(nullptr));
 	BooleanResult result;
-	EXPECT_TRUE(runBoolean(overlappingBoxes(), everything(), progress, result).ok());
+	EXPECT_TRUE(
+	    runBoolean(overlappingBoxes(), again(overlappingBoxes), everything(), progress, result)
+	        .ok());
 }
 
 TEST(BooleanRun, stagesAndTheWholeAreTimed) {

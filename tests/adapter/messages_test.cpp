@@ -120,11 +120,10 @@ TEST(Messages, namesAreListed) {
 	EXPECT_TRUE(contains(nothingRequestedMessage(), "true: union, intersection, "));
 }
 
-TEST(Messages, aSelfIntersectionIsSentToTheFullSearchAndToTheHostsOwn) {
+TEST(Messages, aSelfIntersectionIsSentToTheParameterThatResolvesIt) {
 	const std::string message = refusal(StatusCode::SelfIntersecting, 1);
 	EXPECT_TRUE(contains(message, "intersects itself: 12345 faces are concerned")) << message;
 	EXPECT_TRUE(contains(message, "self_intersections = resolve")) << message;
-	EXPECT_TRUE(contains(message, "compute_selection_by_self_intersections_per_face")) << message;
 }
 
 TEST(Messages, theLogTellsFacesComponentsVolumeAndArea) {

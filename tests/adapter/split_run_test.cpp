@@ -18,12 +18,12 @@ using namespace watched_host;
 
 Status splitWith(int cancelAt, SplitResult& result) {
 	Progress progress = watch(cancelAt);
-	return runSplit(overlappingBoxes(), SplitRequest{}, progress, result);
+	return runSplit(overlappingBoxes(), again(overlappingBoxes), SplitRequest{}, progress, result);
 }
 
 Status curvesWith(int cancelAt, CurvesResult& result) {
 	Progress progress = watch(cancelAt);
-	return runCurves(overlappingBoxes(), Options{}, progress, result);
+	return runCurves(overlappingBoxes(), again(overlappingBoxes), Options{}, progress, result);
 }
 
 TEST(SplitRun, theHostSeesPercentsThatNeverFallOnItsOwnThread) {
@@ -57,7 +57,8 @@ TEST(SplitRun, withoutBlocksTheVolumesAreAuditedAlone) {
 	SplitRequest request;
 	request.subBlocks = false;
 	SplitResult result;
-	ASSERT_TRUE(runSplit(overlappingBoxes(), request, progress, result).ok());
+	ASSERT_TRUE(
+	    runSplit(overlappingBoxes(), again(overlappingBoxes), request, progress, result).ok());
 	EXPECT_TRUE(result.blockMeshes.empty());
 	EXPECT_EQ(result.split.blocks.all.size(), 3u);
 	EXPECT_LT(result.audit.volumeLawResidual, 1e-15);
@@ -110,17 +111,21 @@ TEST(RunReport, allRunsReportTheSameOfTheOperands) {
 	request.operations = {Operation::Union};
 	BooleanResult blocks;
 	Progress progress = watch(0);
-	ASSERT_TRUE(runBoolean(boxesWithFindings(), request, progress, blocks).ok());
+	ASSERT_TRUE(
+	    runBoolean(boxesWithFindings(), again(boxesWithFindings), request, progress, blocks).ok());
 	expectFindings(blocks.report);
 
 	SplitResult pieces;
 	progress = watch(0);
-	ASSERT_TRUE(runSplit(boxesWithFindings(), SplitRequest{}, progress, pieces).ok());
+	ASSERT_TRUE(
+	    runSplit(boxesWithFindings(), again(boxesWithFindings), SplitRequest{}, progress, pieces)
+	        .ok());
 	expectFindings(pieces.report);
 
 	CurvesResult curves;
 	progress = watch(0);
-	ASSERT_TRUE(runCurves(boxesWithFindings(), Options{}, progress, curves).ok());
+	ASSERT_TRUE(
+	    runCurves(boxesWithFindings(), again(boxesWithFindings), Options{}, progress, curves).ok());
 	expectFindings(curves.report);
 }
 

@@ -76,6 +76,23 @@ inline MeshArrays overlappingBoxes() {
 	return arrays;
 }
 
+// Two bars in one layer that cross, with no corner of one in the other, and a box far away.
+inline MeshArrays crossingBars() {
+	MeshArrays arrays;
+	appendBox({-3, -1, -1}, {3, 1, 1}, kFirst, arrays);
+	appendBox({-1, -3, -.5}, {1, 3, .5}, kFirst, arrays);
+	appendBox({10, 10, 10}, {11, 11, 11}, kSecond, arrays);
+	return arrays;
+}
+
+// Makes the same arrays once more.
+inline InputAgain again(MeshArrays (*make)()) {
+	return [make](MeshArrays& out) {
+		out = make();
+		return Status{};
+	};
+}
+
 // What any run must have made of the callback, up to its end.
 inline void expectGoodManners() {
 	EXPECT_GT(seen.calls, 5);

@@ -40,12 +40,12 @@ std::string splitDefect(const std::vector<SurfaceView>& views, const Options& op
 	Arrangement arrangement;
 	Split parts;
 	SplitAudit audited;
-	const Status status = inOrder(
-	    [&] { return again(arrays); },
-	    [&] {
-		    return splitOperands(std::move(arrays), again, options, monitor, arrangement, parts);
-	    },
-	    [&] { return audit(arrangement, parts, {}, monitor, audited); });
+	const Status status = inOrder([&] { return again(arrays); },
+	                              [&] {
+		                              return splitOperands(std::move(arrays), again, options,
+		                                                   monitor, arrangement, parts);
+	                              },
+	                              [&] { return audit(arrangement, parts, {}, monitor, audited); });
 	return status.ok() || status.code == StatusCode::SelfIntersecting ? "" : describe(status);
 }
 
@@ -67,9 +67,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t siz
 	Monitor monitor;
 	MeshArrays arrays;
 	Arrangement arrangement;
-	const Status status = inOrder(
-	    [&] { return joinSurfaces(views, 1, monitor, arrays); },
-	    [&] { return arrangeCells(std::move(arrays), options, monitor, arrangement); });
+	const Status status =
+	    inOrder([&] { return joinSurfaces(views, 1, monitor, arrays); },
+	            [&] { return arrangeCells(std::move(arrays), options, monitor, arrangement); });
 	if (!status.ok()) {
 		fuzz::expectNone(refusalDefect(status, operands.size()));
 		return 0;

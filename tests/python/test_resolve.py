@@ -119,7 +119,8 @@ class TestRefusals:
         faces = faces.copy()
         faces[:5] = faces[:5, ::-1]
         for rule in ("nonzero", "positive", "odd"):
-            assert volumes_of((vertices, faces), FAR, winding_rule=rule)["union"] == pytest.approx(9)
+            volumes = volumes_of((vertices, faces), FAR, winding_rule=rule)
+            assert volumes["union"] == pytest.approx(9)
 
     def test_aOneSidedLayerIsTakenByTheOddRuleOnly(self):
         corners = [(1, 0, 0), (-1, 0, 0), (0, 1, 0), (0, -1, 0), (0, 0, 1), (0, 0, -1)]

@@ -171,8 +171,10 @@ class TestResultMap:
         expected["sub_blocks_volumes"] = np.ndarray
         expected["sub_blocks_closed"] = bool
         expected["volume_law_residual"] = float
+        expected["labelled_by_cells"] = bool
         for key in ("zero_area_faces_removed", "loops_open", "loops_hard_closed",
-                    "loops_soft_closed"):
+                    "loops_soft_closed", "self_intersecting_faces_first",
+                    "self_intersecting_faces_second"):
             expected[key] = int
         found = {k: type(v) for k, v in result.items() if not k.startswith("seconds_")}
         assert found == expected

@@ -30,9 +30,9 @@ Status prepareSurfaces(Arrangement& arrangement, Monitor& monitor);
 // The same for any number of surfaces of any kind, which may meet themselves and have faces more
 // than once: a soup. Checked, welded, free of degenerate faces. No operand is turned, but faces are
 // that run against their neighbours (alike_faces.h); nothing that has area is dropped, but repeated
-// faces without which the operand is closed. Fills faceGiven, isSoup, closed (by the input's edges),
-// nonManifold: where what is at a vertex is not one umbrella of one operand; and volume: what the
-// faces enclose, as they are turned, which tells nothing where the operand is open.
+// faces without which the operand is closed. Fills faceGiven, isSoup, closed (by the input's
+// edges), nonManifold: where what is at a vertex is not one umbrella of one operand; and volume:
+// what the faces enclose, as they are turned, which tells nothing where the operand is open.
 // \return Ok, Cancelled, OutOfMemory, EmptyOperand, NotFinite, IndexOutOfRange, TooLarge
 // Complexity: O(n) as expected.
 Status prepareSoup(Arrangement& arrangement, Monitor& monitor);

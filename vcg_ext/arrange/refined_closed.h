@@ -12,9 +12,9 @@
 namespace index_boolean {
 
 // Finds which operands are closed once they are cut; those closed by the input's edges stay so.
-// \param arrangement its refinement is known; its closed is changed, and volume is 0 of what is open
-// \return Ok, Cancelled, OutOfMemory. Complexity: O(n) for n triangles of the operands that are not
-// closed by the input's edges.
+// \param arrangement its refinement is known; its closed is changed, and volume is 0 of what is
+// open \return Ok, Cancelled, OutOfMemory. Complexity: O(n) for n triangles of the operands that
+// are not closed by the input's edges.
 Status findRefinedClosed(Arrangement& arrangement, Monitor& monitor);
 
 // Says where an operand is not closed, or not consistently oriented, as cut.

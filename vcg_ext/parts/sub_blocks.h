@@ -38,7 +38,8 @@ struct SubBlocks {
 	std::vector<std::array<std::int32_t, 2>> beside;
 	// Per sub-surface: it has different parts of space on its two sides.
 	std::vector<std::uint8_t> separates;
-	// Of a soup: an operand around which all blocks would have windings of 0 or less has been turned.
+	// Of a soup: an operand around which all blocks would have windings of 0 or less has been
+	// turned.
 	PerOperand<bool> turned;
 };
 

@@ -13,9 +13,10 @@
 namespace index_boolean {
 
 // Fills arrangement.cells, turns operands of which no cell has a positive winding number (noted in
-// insideOut), and fills volume: of what the winding rule calls inside each closed operand. \pre the arrangement is a soup's, and knows which operands are closed as cut
-// \return Ok, Cancelled, OutOfMemory, InternalError
-// Complexity: as findSubSurfaces and findSubBlocks; O(c N) memory for c cells and N operands.
+// insideOut), and fills volume: of what the winding rule calls inside each closed operand. \pre the
+// arrangement is a soup's, and knows which operands are closed as cut \return Ok, Cancelled,
+// OutOfMemory, InternalError Complexity: as findSubSurfaces and findSubBlocks; O(c N) memory for c
+// cells and N operands.
 Status labelCells(Arrangement& arrangement, Monitor& monitor);
 
 }  // namespace index_boolean
