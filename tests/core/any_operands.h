@@ -176,7 +176,7 @@ inline Mesh tetrahemihexahedron() {
 	const Point x{1, 0, 0}, y{0, 1, 0}, z{0, 0, 1}, left{-1, 0, 0}, front{0, -1, 0}, low{0, 0, -1};
 	std::vector<Corners> faces{{x, y, z}, {x, front, low}, {left, y, low}, {left, front, z}};
 	addQuad(faces, x, y, left, front);
-	addQuad(faces, x, z, left, low);
+	addQuad(faces, z, x, low, left);  // no two squares have a diagonal in common
 	addQuad(faces, y, z, front, low);
 	return welded(faces);
 }

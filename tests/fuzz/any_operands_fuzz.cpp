@@ -55,6 +55,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t siz
 	fuzz::ByteReader in(bytes, size);
 	Options options = fuzz::options(in);
 	options.windingRule = static_cast<WindingRule>(in.below(3));
+	options.certify = in.below(64) == 0;  // the repair of such tangles takes a second each
 	std::vector<shapes::Mesh> operands;
 	const std::uint32_t more = in.below(4);
 	for (std::uint32_t i = 0; i <= more; ++i) {

@@ -587,6 +587,30 @@ TEST(Arranged, aNeedleThinnerThanAnUlpIsOneCell) {
 }
 
 // No orientation has an edge as often each way; what is inside is known modulo two at most.
+TEST(Arranged, oneSidedSurfacesHaveCellsByTheOddRule) {
+	const auto volumesOf = [](const Mesh& m) {
+		Options options = shapes::onOneThread();
+		options.windingRule = WindingRule::Odd;
+		const CellsRun r = runCells({m}, options);
+		EXPECT_TRUE(r.arrangement.closed[kFirst]);
+		std::vector<double> volumes;
+		for (std::size_t cell = 1; cell < r.arrangement.cells.windings.size(); ++cell) {
+			if (r.arrangement.cells.windings[cell][kFirst] == 1) {
+				volumes.push_back(r.arrangement.cells.volume[cell]);
+			}
+		}
+		return volumes;
+	};
+	const std::vector<double> ofFour = volumesOf(tetrahemihexahedron());
+	ASSERT_EQ(ofFour.size(), 4u);
+	for (const double volume : ofFour) {
+		EXPECT_NEAR(volume, 1.0 / 6, 1e-15);
+	}
+	const std::vector<double> ofBottle = volumesOf(kleinBottle());
+	ASSERT_EQ(ofBottle.size(), 1u);
+	EXPECT_NEAR(ofBottle[0], 144, 1e-12);
+}
+
 TEST(Arranged, oneSidedSurfacesAreNotClosed) {
 	for (const Mesh& m : {tetrahemihexahedron(), kleinBottle()}) {
 		const CellsRun r = runCells({m});
