@@ -99,6 +99,11 @@ class Parents:
         right = np.append(self.points[vertex] - corners.mean(axis=0), 1)
         return np.linalg.lstsq(system, right, rcond=None)[0]
 
+    def faces_like(self, vertex, chosen):
+        """The faces at a vertex of the operand that its chosen one is of."""
+        at_vertex = np.flatnonzero((self.faces == vertex).any(axis=1))
+        return at_vertex[self.mesh[at_vertex] == self.mesh[chosen[vertex]]]
+
     def faces_at(self):
         """Per vertex, a face of the first operand, else of the second."""
         chosen = np.full(len(self.points), -1)

@@ -3,7 +3,7 @@
 //
 // in: a soup, cut; out: the cells that its surfaces part space into, with the winding number of
 // each operand around them, and the cells on both sides of every face and piece. Guarantee: exact,
-// and counted a second time by a ray through the input at each cell.
+// and counted a second time by rays through the input (sub_blocks.h).
 #pragma once
 
 #include "vcg_ext/arrange/arrangement.h"
