@@ -441,6 +441,10 @@ Status split(const Arrangement& arrangement, Monitor& monitor, Split& out) {
 	return findParts(arrangement, true, monitor, out);
 }
 
+Status splitSurfaces(const Arrangement& arrangement, Monitor& monitor, Split& out) {
+	return findParts(arrangement, false, monitor, out);
+}
+
 namespace {
 
 // What an embedded operand may not do shows in the arrangement, or when its parts are found.
