@@ -526,6 +526,17 @@ TEST_P(AnyOperands, areTheSameInAnyNumbering) {
 	}
 }
 
+// Also where cells have been labelled before.
+TEST_P(AnyOperands, havePartsThatPassTheAudit) {
+	const CellsRun r = runCells(GetParam().operands);
+	Monitor monitor;
+	Split parts;
+	ASSERT_TRUE(split(r.arrangement, monitor, parts).ok());
+	SplitAudit audited;
+	EXPECT_TRUE(audit(r.arrangement, parts, {}, monitor, audited).ok());
+	EXPECT_LT(audited.volumeLawResidual, 1e-12);
+}
+
 INSTANTIATE_TEST_SUITE_P(Inputs, AnyOperands, testing::ValuesIn(allInputs()),
                          [](const auto& input) { return input.param.name; });
 
@@ -584,6 +595,25 @@ TEST(Arranged, aNeedleThinnerThanAnUlpIsOneCell) {
 	const Block both = blockOf(r, inAny);
 	EXPECT_EQ(both.triangles.size(), 16u);
 	EXPECT_EQ(exactVolumeOf(both), 1.5);
+}
+
+// Sheets through one line: each two of them name each of its points once more, and each three of
+// them ask whether they meet in one point.
+TEST(Arranged, aPencilOfSheetsIsCutInTimeForItsPoints) {
+	constexpr int kSheets = 64;
+	std::vector<Corners> faces;
+	for (int i = 0; i < kSheets; ++i) {
+		const double x = 3 * std::cos(kPi * i / kSheets), y = 3 * std::sin(kPi * i / kSheets);
+		addQuad(faces, {-x, -y, -3}, {x, y, -3}, {x, y, 3}, {-x, -y, 3});
+	}
+	const CellsRun r = runCells({welded(faces), box({-2, -2, -2}, {2, 2, 2})});
+	ASSERT_TRUE(r.status.ok());
+	EXPECT_EQ(r.cells().size(), 2u * kSheets);
+	double seconds = 0;
+	for (const StageTime& stage : r.arrangement.stageTimes) {
+		seconds += std::string(stage.stage) == "triple_contact" ? stage.seconds : 0;
+	}
+	EXPECT_LT(seconds, 1);  // 0.05; 6 where no point is known to be the same as another
 }
 
 // No orientation has an edge as often each way; what is inside is known modulo two at most.
