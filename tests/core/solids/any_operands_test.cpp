@@ -616,6 +616,25 @@ TEST(Arranged, aPencilOfSheetsIsCutInTimeForItsPoints) {
 	EXPECT_LT(seconds, 1);  // 0.05; 6 where no point is known to be the same as another
 }
 
+// An open sheet has the diagonal of the base in common with it, and another one of its edges: all
+// faces at these are touched, whatever their numbers, and so their diagonal may be flipped.
+TEST(Arranged, facesAtCommonEdgesAreMergedAlikeInAnyNumbering) {
+	const Point a{0, 0, 3}, b{3, 3, 3}, c{0, 2.99, 3}, d{3, 0, 3}, top{0, 0, 4}, low{0, 0, 0};
+	const Mesh pyramid = welded({{a, b, c}, {a, d, b}, {a, top, d}, {c, b, top}, {a, c, top},
+	                             {d, top, b}});
+	const Mesh sheet = welded({{low, a, b}, {low, b, d}});
+	Options options = onOneThread();
+	options.mergeCoplanar = true;
+	std::mt19937 random(3);
+	std::set<std::vector<Corners>> geometries;
+	for (int i = 0; i < 30; ++i) {
+		const CellsRun r = runCells({permuted(pyramid, random), permuted(sheet, random)}, options);
+		ASSERT_TRUE(r.status.ok());
+		geometries.insert(geometry(blockOf(r, inAny)));
+	}
+	EXPECT_EQ(geometries.size(), 1u);
+}
+
 // No orientation has an edge as often each way; what is inside is known modulo two at most.
 TEST(Arranged, oneSidedSurfacesAreNotClosed) {
 	for (const Mesh& m : {tetrahemihexahedron(), kleinBottle()}) {
