@@ -171,7 +171,8 @@ inline Mesh fold() {
 	return welded({{a, c, b}, {a, b, d}, {c, a, top}, {b, c, top}, {a, d, top}, {d, b, top}});
 }
 
-// Closed and one-sided: four faces of an octahedron and the three squares through its middle.
+// Closed and one-sided: four faces of an octahedron and the three squares through its middle. Each
+// square has another diagonal: where two have the same, four faces meet.
 inline Mesh tetrahemihexahedron() {
 	const Point x{1, 0, 0}, y{0, 1, 0}, z{0, 0, 1}, left{-1, 0, 0}, front{0, -1, 0}, low{0, 0, -1};
 	std::vector<Corners> faces{{x, y, z}, {x, front, low}, {left, y, low}, {left, front, z}};

@@ -68,14 +68,17 @@ std::vector<EdgeFace> edgesBetweenShared(const Arrangement& arrangement) {
 	return edges;
 }
 
-// Of the faces at one edge, the first one and the first of another operand.
+// Each of the faces at one edge, with the first one of another operand: which faces are touched
+// does not depend on their numbers.
 void addCommonEdge(const MeshArrays& mesh, const EdgeFace* begin, const EdgeFace* end,
                    std::vector<FacePair>& out) {
 	const OperandId operand = mesh.operandOf(begin->item);
 	const EdgeFace* const other = std::find_if(
 	    begin, end, [&](const EdgeFace& e) { return mesh.operandOf(e.item) != operand; });
-	if (other != end) {
-		out.push_back({begin->item, other->item});
+	for (const EdgeFace* e = begin; e != end && other != end; ++e) {
+		const bool isOfFirst = mesh.operandOf(e->item) == operand;
+		const auto [a, b] = std::minmax(e->item, isOfFirst ? other->item : begin->item);
+		out.push_back({a, b});
 	}
 }
 

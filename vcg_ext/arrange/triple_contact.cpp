@@ -106,6 +106,7 @@ private:
 	                 ChunkPoints& out) const;
 	bool isInside(VertexId v, FaceId plane, const Line& line) const;
 	bool crosses(const NamedContact& segment, FaceId plane) const;
+	bool hasEnd(const NamedContact& c, const Line& line) const;
 	int side(FaceId plane, VertexId v) const;
 	VertexId pointOf(const NamedContact& c, std::uint32_t i) const {
 		return vertexOfName_[c.first + i];
@@ -188,6 +189,16 @@ bool TripleFinder::crosses(const NamedContact& segment, FaceId plane) const {
 	       side(plane, pointOf(segment, 0)) * side(plane, pointOf(segment, 1)) < 0;
 }
 
+// Whether an end of the line is one of a contact's points: both its faces hold it then.
+bool TripleFinder::hasEnd(const NamedContact& c, const Line& line) const {
+	for (std::uint32_t i = 0; i < c.count; ++i) {
+		if (pointOf(c, i) == line.begin || pointOf(c, i) == line.end) {
+			return true;
+		}
+	}
+	return false;
+}
+
 void TripleFinder::find(std::uint32_t contact, ChunkPoints& out) const {
 	const NamedContact& c = contacts_.pairs[contact];
 	if (c.count != 2) {
@@ -202,7 +213,9 @@ void TripleFinder::find(std::uint32_t contact, ChunkPoints& out) const {
 	graph_.visitCommon(c.a, c.b, [&](FaceId k, std::uint32_t withF, std::uint32_t withG) {
 		addPointsOf(contacts_.pairs[withF], c.b, line, out);
 		addPointsOf(contacts_.pairs[withG], c.a, line, out);
-		if (crosses(c, k) && crosses(contacts_.pairs[withF], c.b)) {
+		const bool endsInK =
+		    hasEnd(contacts_.pairs[withF], line) || hasEnd(contacts_.pairs[withG], line);
+		if (!endsInK && crosses(c, k) && crosses(contacts_.pairs[withF], c.b)) {
 			std::array<std::uint32_t, 4> ids{c.a.value, c.b.value, k.value, 0};
 			std::sort(ids.begin(), ids.begin() + 3);
 			out.named.push_back({contact, {PointKind::FaceFaceFace, 0, ids}});

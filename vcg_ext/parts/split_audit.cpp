@@ -44,14 +44,17 @@ private:
 };
 
 // The volume of the blocks in an operand less its own: 0 but for roundings, as also where it is
-// open.
+// open. Where cells are known, its own is that of what is inside.
 double lawDifference(const Arrangement& arrangement, const SubBlocks& blocks, OperandId operand) {
+	const WindingRule rule = arrangement.options.windingRule;
+	const bool isOfInside = arrangement.cells.areKnown();
+	if (arrangement.isSoup && rule == WindingRule::Odd && !isOfInside) {
+		return 0;  // windings are parities
+	}
 	double sum = 0;
 	for (const SubBlock& block : blocks.all) {
-		sum += block.windings[operand] * block.volume;
-	}
-	if (arrangement.isSoup && arrangement.options.windingRule == WindingRule::Odd) {
-		return 0;  // windings are parities
+		const std::int32_t winding = block.windings[operand];
+		sum += (isOfInside ? (isInside(rule, winding) ? 1 : 0) : winding) * block.volume;
 	}
 	return sum - (blocks.turned[operand] ? -1 : 1) * arrangement.volume[operand];
 }

@@ -42,6 +42,8 @@ namespace index_boolean {
 
 namespace {
 
+constexpr std::size_t kPollGrain = 1024;  // edges, or blocks, between two looks at the monitor
+
 // Side 2 * s of sub-surface s is its front, 2 * s + 1 its back.
 class Assembler {
 public:
@@ -171,12 +173,15 @@ Status Assembler::uniteAtLoops() {
 			done[static_cast<std::size_t>(edge - complex_.parting.data())] = 1;
 		}
 	}
-	for (std::size_t e = 0; e < complex_.parting.size() && status.ok(); ++e) {
-		if (done[e] == 0 && complex_.parting[e].count > 1) {
-			status = uniteAround(complex_.parting[e]);
+	const auto uniteSome = [&](std::size_t begin, std::size_t end) {
+		for (std::size_t e = begin; e < end && status.ok(); ++e) {
+			if (done[e] == 0 && complex_.parting[e].count > 1) {
+				status = uniteAround(complex_.parting[e]);
+			}
 		}
-	}
-	return status;
+	};
+	const Status polled = inOrderFor(complex_.parting.size(), kPollGrain, monitor_, uniteSome);
+	return status.ok() ? polled : status;
 }
 
 // Whether a face runs along the lines. A line from within it can pass all else by, and so be slow.
@@ -379,7 +384,10 @@ Status Assembler::walkWindings() {
 		around[blockAt(s, 0)].push_back(s);
 		around[blockAt(s, 1)].push_back(s);
 	}
-	while (!reached.empty()) {
+	for (std::size_t walked = 1; !reached.empty(); ++walked) {
+		if (walked % kPollGrain == 0 && pollCancelled(monitor_)) {
+			return statusOf(StatusCode::Cancelled);
+		}
 		const std::size_t block = reached.back();
 		reached.pop_back();
 		for (const std::uint32_t s : around[block]) {
@@ -507,6 +515,18 @@ Status Assembler::run() {
 }
 
 }  // namespace
+
+bool isInside(WindingRule rule, std::int32_t winding) {
+	switch (rule) {
+	case WindingRule::Positive:
+		return winding > 0;
+	case WindingRule::Odd:
+		return winding % 2 != 0;
+	case WindingRule::Nonzero:
+		break;
+	}
+	return winding != 0;
+}
 
 Status findSubBlocks(const Arrangement& arrangement, const SubSurfaces& surfaces, Walls walls,
                      Monitor& monitor, SubBlocks& out) {

@@ -43,6 +43,9 @@ struct SubBlocks {
 	PerOperand<bool> turned;
 };
 
+// Whether a place with this winding number is inside an operand. Complexity: O(1).
+bool isInside(WindingRule rule, std::int32_t winding);
+
 // What parts space: every sub-surface, or only those that a winding number changes across and those
 // of open operands.
 enum class Walls : std::uint8_t { All, Jumps };

@@ -217,20 +217,20 @@ Status findWindings(const MeshArrays& mesh, OperandId operand, const Ignored& ig
 	}
 	Rays rays(mesh, ignored, queries);
 	const std::size_t first = mesh.faceOffsets.begin(operand);
+	// With many queries a face takes long, and the monitor is looked at between chunks only.
+	const std::size_t grain = std::clamp<std::size_t>((kGrain << 6) / queries.size(), 16, kGrain);
 	const auto shoot = [&rays, first](std::size_t begin, std::size_t end) {
 		for (std::size_t f = first + begin; f < first + end; ++f) {
 			rays.shoot(makeId<FaceTag>(f));
 		}
 	};
-	return inOrder([&] { return rays.draw(operand, threads, monitor); },
-	               [&] {
-		               return parallelFor(mesh.faceOffsets.size(operand), kGrain, threads, monitor,
-		                                  shoot);
-	               },
-	               [&] {
-		               rays.finish();
-		               return Status{};
-	               });
+	return inOrder(
+	    [&] { return rays.draw(operand, threads, monitor); },
+	    [&] { return parallelFor(mesh.faceOffsets.size(operand), grain, threads, monitor, shoot); },
+	    [&] {
+		    rays.finish();
+		    return Status{};
+	    });
 }
 
 }  // namespace index_boolean

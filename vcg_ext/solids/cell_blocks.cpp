@@ -4,6 +4,7 @@
 
 #include "vcg_ext/arrange/places.h"
 #include "vcg_ext/base/parallel.h"
+#include "vcg_ext/parts/sub_blocks.h"
 
 #include <algorithm>
 
@@ -134,18 +135,6 @@ void CellCollector::markSuspects() {
 }
 
 }  // namespace
-
-bool isInside(WindingRule rule, std::int32_t winding) {
-	switch (rule) {
-	case WindingRule::Positive:
-		return winding > 0;
-	case WindingRule::Odd:
-		return winding % 2 != 0;
-	case WindingRule::Nonzero:
-		break;
-	}
-	return winding != 0;
-}
 
 CellPredicate cellPredicateOf(Operation operation, WindingRule rule) {
 	const auto of = [rule](bool (*truth)(bool, bool)) {

@@ -16,9 +16,6 @@ namespace index_boolean {
 // cell once, and must be false where all are 0: the outside has no boundary.
 using CellPredicate = std::function<bool(const PerOperand<std::int32_t>& windings)>;
 
-// Whether a place with this winding number is inside an operand. Complexity: O(1).
-bool isInside(WindingRule rule, std::int32_t winding);
-
 // What an operation on two operands says, each of which is what the rule calls inside.
 // Complexity: O(1).
 CellPredicate cellPredicateOf(Operation operation, WindingRule rule);

@@ -5,7 +5,6 @@
 #include "vcg_ext/solids/cell_labels.h"
 
 #include "vcg_ext/parts/sub_blocks.h"
-#include "vcg_ext/solids/cell_blocks.h"
 
 #include <algorithm>
 

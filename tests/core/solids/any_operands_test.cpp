@@ -526,6 +526,17 @@ TEST_P(AnyOperands, areTheSameInAnyNumbering) {
 	}
 }
 
+// Also where cells have been labelled before.
+TEST_P(AnyOperands, havePartsThatPassTheAudit) {
+	const CellsRun r = runCells(GetParam().operands);
+	Monitor monitor;
+	Split parts;
+	ASSERT_TRUE(split(r.arrangement, monitor, parts).ok());
+	SplitAudit audited;
+	EXPECT_TRUE(audit(r.arrangement, parts, {}, monitor, audited).ok());
+	EXPECT_LT(audited.volumeLawResidual, 1e-12);
+}
+
 INSTANTIATE_TEST_SUITE_P(Inputs, AnyOperands, testing::ValuesIn(allInputs()),
                          [](const auto& input) { return input.param.name; });
 
@@ -584,6 +595,44 @@ TEST(Arranged, aNeedleThinnerThanAnUlpIsOneCell) {
 	const Block both = blockOf(r, inAny);
 	EXPECT_EQ(both.triangles.size(), 16u);
 	EXPECT_EQ(exactVolumeOf(both), 1.5);
+}
+
+// Sheets through one line: each two of them name each of its points once more, and each three of
+// them ask whether they meet in one point.
+TEST(Arranged, aPencilOfSheetsIsCutInTimeForItsPoints) {
+	constexpr int kSheets = 64;
+	std::vector<Corners> faces;
+	for (int i = 0; i < kSheets; ++i) {
+		const double x = 3 * std::cos(kPi * i / kSheets), y = 3 * std::sin(kPi * i / kSheets);
+		addQuad(faces, {-x, -y, -3}, {x, y, -3}, {x, y, 3}, {-x, -y, 3});
+	}
+	const CellsRun r = runCells({welded(faces), box({-2, -2, -2}, {2, 2, 2})});
+	ASSERT_TRUE(r.status.ok());
+	EXPECT_EQ(r.cells().size(), 2u * kSheets);
+	double seconds = 0;
+	for (const StageTime& stage : r.arrangement.stageTimes) {
+		seconds += std::string(stage.stage) == "triple_contact" ? stage.seconds : 0;
+	}
+	EXPECT_LT(seconds, 1);  // 0.05; 6 where no point is known to be the same as another
+}
+
+// An open sheet has the diagonal of the base in common with it, and another one of its edges: all
+// faces at these are touched, whatever their numbers, and so their diagonal may be flipped.
+TEST(Arranged, facesAtCommonEdgesAreMergedAlikeInAnyNumbering) {
+	const Point a{0, 0, 3}, b{3, 3, 3}, c{0, 2.99, 3}, d{3, 0, 3}, top{0, 0, 4}, low{0, 0, 0};
+	const Mesh pyramid =
+	    welded({{a, b, c}, {a, d, b}, {a, top, d}, {c, b, top}, {a, c, top}, {d, top, b}});
+	const Mesh sheet = welded({{low, a, b}, {low, b, d}});
+	Options options = onOneThread();
+	options.mergeCoplanar = true;
+	std::mt19937 random(3);
+	std::set<std::vector<Corners>> geometries;
+	for (int i = 0; i < 30; ++i) {
+		const CellsRun r = runCells({permuted(pyramid, random), permuted(sheet, random)}, options);
+		ASSERT_TRUE(r.status.ok());
+		geometries.insert(geometry(blockOf(r, inAny)));
+	}
+	EXPECT_EQ(geometries.size(), 1u);
 }
 
 // No orientation has an edge as often each way; what is inside is known modulo two at most.
