@@ -38,6 +38,15 @@ def turned_at_random(mesh, rng):
     return make_samples.turned(mesh[0], rng.normal(size=4)), mesh[1]
 
 
+def one_sided():
+    """A closed surface with one side: four faces of an octahedron and the squares between them."""
+    corners = [(1, 0, 0), (-1, 0, 0), (0, 1, 0), (0, -1, 0), (0, 0, 1), (0, 0, -1)]
+    squares = [(0, 2, 1, 3), (2, 4, 3, 5), (4, 0, 5, 1)]
+    triangles = [(0, 2, 4), (0, 3, 5), (1, 2, 5), (1, 3, 4)]
+    faces = triangles + [t for a, b, c, d in squares for t in ((a, b, c), (a, c, d))]
+    return np.array(corners, dtype=np.float64), np.array(faces)
+
+
 def box(low, high):
     """A box of 12 faces."""
     corners = np.array(list(itertools.product(*zip(low, high))), dtype=np.float64)

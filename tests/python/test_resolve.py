@@ -15,6 +15,7 @@ import judges
 import mesh_laws
 import oracles
 from conftest import box, crossing_bars, document, joined, sphere
+from plain_solids import one_sided
 from run_boolean import BLOCKS, run_boolean
 from test_reports import load
 
@@ -123,11 +124,7 @@ class TestRefusals:
             assert volumes["union"] == pytest.approx(9)
 
     def test_aOneSidedLayerIsTakenByTheOddRuleOnly(self):
-        corners = [(1, 0, 0), (-1, 0, 0), (0, 1, 0), (0, -1, 0), (0, 0, 1), (0, 0, -1)]
-        squares = [(0, 2, 1, 3), (2, 4, 3, 5), (4, 0, 5, 1)]
-        triangles = [(0, 2, 4), (0, 3, 5), (1, 2, 5), (1, 3, 4)]
-        faces = triangles + [t for a, b, c, d in squares for t in ((a, b, c), (a, c, d))]
-        layer = np.array(corners, dtype=np.float64), np.array(faces)
+        layer = one_sided()
         for rule in ("nonzero", "positive"):
             with pytest.raises(pymeshlab.PyMeshLabException, match="winding_rule to odd"):
                 run_boolean(*layer, *FAR, winding_rule=rule)
