@@ -9,6 +9,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdlib>
+
 namespace index_boolean {
 namespace {
 
@@ -107,8 +109,14 @@ void expectEqualBlocks(const BothPaths& paths, const Block& fast, const Block& g
 	EXPECT_EQ(found.doubleProjections.text(), expected.doubleProjections.text());
 }
 
+// 2000 pairs, or as many as INDEXBOOLEAN_FUZZ_PAIRS says; pair n is made from the seed n.
+std::uint32_t pairCount() {
+	const char* asked = std::getenv("INDEXBOOLEAN_FUZZ_PAIRS");
+	return asked == nullptr ? 2000 : static_cast<std::uint32_t>(std::strtoul(asked, nullptr, 10));
+}
+
 TEST(GeneralPath, hasTheBlocksOfTheFastOneOfGridSolids) {
-	for (std::uint32_t seed = 0; seed < 300 && !HasFailure(); ++seed) {
+	for (std::uint32_t seed = 0; seed < pairCount() && !HasFailure(); ++seed) {
 		const grid::SolidPair pair = grid::randomPair(seed);
 		SCOPED_TRACE("seed " + std::to_string(seed) + "\nA: " + grid::text(pair.a) +
 		             "\nB: " + grid::text(pair.b));
@@ -147,7 +155,7 @@ TEST(GeneralPath, hasTheBlocksOfTheFastOneOfRoundSolids) {
 }
 
 TEST(GeneralPath, hasTheCellsOfTheSplit) {
-	for (std::uint32_t seed = 0; seed < 300 && !HasFailure(); ++seed) {
+	for (std::uint32_t seed = 0; seed < pairCount() && !HasFailure(); ++seed) {
 		const grid::SolidPair pair = grid::randomPair(seed);
 		SCOPED_TRACE("seed " + std::to_string(seed) + "\nA: " + grid::text(pair.a) +
 		             "\nB: " + grid::text(pair.b));
@@ -155,7 +163,7 @@ TEST(GeneralPath, hasTheCellsOfTheSplit) {
 		Arrangement arrangement;
 		Split parts;
 		Monitor monitor;
-		ASSERT_TRUE(arrangeSurfaces(arrays(a, b), {}, monitor, arrangement).ok());
+		ASSERT_TRUE(arrangeSurfaces(arrays(a, b), onOneThread(), monitor, arrangement).ok());
 		ASSERT_TRUE(split(arrangement, monitor, parts).ok());
 		std::vector<std::pair<std::vector<std::int32_t>, double>> expected;
 		for (const SubBlock& part : parts.blocks.all) {

@@ -1,0 +1,116 @@
+# SPDX-FileCopyrightText: 2026 The Index Boolean authors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What it costs that layers may meet themselves: searching clean pairs, and resolving a layer.
+
+in: the installed package, libigl as the tests have it, the folder that INDEXBOOLEAN_MESHES names;
+out: two Markdown tables of median milliseconds, with ratios. All systems take turns.
+"""
+
+import argparse
+import os
+import pathlib
+import statistics
+import sys
+import time
+
+import igl.copyleft.cgal
+import numpy as np
+import pymeshlab
+
+import indexboolean
+
+ROOT = pathlib.Path(__file__).resolve().parents[1]
+sys.path.append(str(ROOT / "tests/python"))
+
+import mesh_laws  # noqa: E402
+from plain_solids import joined  # noqa: E402
+
+sys.path.append(str(ROOT / "sample_meshes"))
+
+import make_samples  # noqa: E402
+
+ONE_BLOCK = {
+    "intersection": False, "first_minus_second": False, "second_minus_first": False,
+    "transfer_attributes": False, "certify": False,
+}
+
+
+def load(name):
+    meshes = pymeshlab.MeshSet()
+    meshes.load_new_mesh(str(pathlib.Path(os.environ["INDEXBOOLEAN_MESHES"]) / name))
+    return meshes.current_mesh().vertex_matrix(), meshes.current_mesh().face_matrix()
+
+
+def beside(mesh, shift):
+    """A copy of the mesh, moved by parts of its size."""
+    return mesh[0] + np.ptp(mesh[0], axis=0) * shift, mesh[1]
+
+
+def clean_pairs():
+    sphere = make_samples.octahedral_sphere(202)
+    yield "two spheres", (sphere, (sphere[0] + (0.5, 0.3, 0.2), sphere[1]))
+    armadillo, bunny = load("armadillo.obj"), load("bunny100k.obj")
+    scale = np.ptp(armadillo[0], axis=0).max() / np.ptp(bunny[0], axis=0).max()
+    centred = (bunny[0] - bunny[0].mean(axis=0)) * scale + armadillo[0].mean(axis=0)
+    yield "armadillo and bunny", (armadillo, (centred, bunny[1]))
+    yield "EMBER 73416 and 1063852", (load("73416.stl"), load("1063852.stl"))
+
+
+def core_seconds(first, second, self_intersections):
+    """Of one run: the core's, and what the result map says."""
+    meshes = pymeshlab.MeshSet()
+    meshes.add_mesh(pymeshlab.Mesh(*first))
+    meshes.add_mesh(pymeshlab.Mesh(*second))
+    result = meshes.generate_index_boolean(
+        first_mesh=0, second_mesh=1, self_intersections=self_intersections, **ONE_BLOCK
+    )
+    return result["seconds_core"], result
+
+
+def print_search(runs):
+    print("| clean pair | faces | not searched | searched | ratio |\n|---|---|---|---|---|")
+    for name, (first, second) in clean_pairs():
+        times = {"trust": [], "resolve": []}
+        for _ in range(runs):
+            for mode, seconds in times.items():
+                seconds.append(core_seconds(first, second, mode)[0])
+        trust, resolve = (1e3 * statistics.median(times[mode]) for mode in times)
+        print(f"| {name} | {len(first[1]) + len(second[1])} | {trust:.1f} ms | {resolve:.1f} ms | "
+              f"{resolve / trust:.2f} |")
+
+
+def print_resolve(runs):
+    """A layer of two copies that overlap, united with nothing; libigl resolves by its union."""
+    copy = load("armadillo.obj")
+    layer = joined(copy, beside(copy, (0.1, 0.07, 0.05)))
+    far = beside(copy, 9)
+    ours, libigl = [], []
+    for _ in range(runs):
+        seconds, result = core_seconds(layer, far, "resolve")
+        ours.append(seconds)
+        start = time.perf_counter()
+        points, faces, _ = igl.copyleft.cgal.mesh_boolean(
+            np.ascontiguousarray(layer[0]), np.ascontiguousarray(layer[1], dtype=np.int64),
+            np.empty((0, 3)), np.empty((0, 3), dtype=np.int64), "union",
+        )
+        libigl.append(time.perf_counter() - start)
+    alone = result["union_volume"] - mesh_laws.volume(*far)
+    off = abs(alone / mesh_laws.volume(points, faces) - 1)
+    print("\n| layer that meets itself | faces | here, with a far layer | libigl | ratio | volumes "
+          "differ by |\n|---|---|---|---|---|---|")
+    here, there = statistics.median(ours), statistics.median(libigl)
+    print(f"| two armadillos | {len(layer[1])} | {1e3 * here:.0f} ms | {1e3 * there:.0f} ms | "
+          f"{there / here:.1f} | {off:.0e} |")
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("--runs", type=int, default=7)
+    args = parser.parse_args()
+    indexboolean.load_plugin()
+    print_search(args.runs)
+    print_resolve(min(args.runs, 3))
+
+
+if __name__ == "__main__":
+    main()
