@@ -46,8 +46,9 @@ public:
 			                     return e.low != wanted[0] ? e.low < wanted[0] : e.high < wanted[1];
 		                     });
 		const std::uint32_t first = placeOf(*edge, from), last = placeOf(*edge, to);
-		for (std::uint32_t i = first; i != last; i += first < last ? 1 : -1) {
-			visit(pointAt(*edge, i), pointAt(*edge, first < last ? i + 1 : i - 1));
+		for (std::uint32_t i = first, next = first; i != last; i = next) {
+			next = first < last ? i + 1 : i - 1;
+			visit(pointAt(*edge, i), pointAt(*edge, next));
 		}
 	}
 

@@ -300,7 +300,7 @@ std::vector<PlaceDescent::Cluster> PlaceDescent::clusters() {
 		list.push_back(std::move(cluster));
 	}
 	std::sort(list.begin(), list.end(),
-	          [this](const Cluster& a, const Cluster& b) { return a.firstRank < b.firstRank; });
+	          [](const Cluster& a, const Cluster& b) { return a.firstRank < b.firstRank; });
 	return list;
 }
 
