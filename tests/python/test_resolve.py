@@ -186,7 +186,7 @@ class TestAssemblies:
     @pytest.mark.parametrize("seed", range(int(os.environ.get("INDEXBOOLEAN_ASSEMBLIES", 12))))
     def test_volumesAreLibiglsAndManifolds(self, seed):
         rng = np.random.default_rng(seed)
-        parts = assembly(rng, 3 + seed % 12), assembly(rng, 3)
+        parts = assembly(rng, (3, 4, 6, 9, 14, 30, 64)[seed % 7]), assembly(rng, 3)
         layers = [joined(*some) for some in parts]
         volumes = volumes_of(*layers)
         solids = [
