@@ -210,6 +210,9 @@ void arrangeSoup(bool forBlocks, MeshArrays input, const Options& options, Monit
 	Contacts contacts;
 	std::vector<VertexId> vertexOfName;
 	stages.run("operands", 0.1, [&] { return prepareSoup(out, monitor); });
+	if (options.selfIntersections == SelfIntersections::Refuse) {
+		stages.run("self_intersections", 0, [&] { return checkSelfIntersections(out, monitor); });
+	}
 	stages.run("soup_contacts", 0.2, [&] { return findSoupContacts(out, monitor, contacts); });
 	stages.run("curve_points", 0.05,
 	           [&] { return numberCurvePoints(out, contacts, monitor, vertexOfName); });
@@ -242,7 +245,9 @@ void arrangeOnce(Purpose purpose, MeshArrays input, const Options& options, Moni
 // \param operands rounded \param out stays if that is no better, or they are no operands
 Status arrangeRounded(Purpose purpose, MeshArrays operands, Monitor& monitor, Arrangement& out) {
 	Options options = out.options;
-	options.selfIntersections = SelfIntersections::Refuse;
+	if (!purpose.isSoup) {
+		options.selfIntersections = SelfIntersections::Refuse;
+	}
 	Arrangement rounded;
 	Stages stages(monitor, rounded.stageTimes, 1, 0);
 	arrangeOnce(purpose, std::move(operands), options, monitor, stages, rounded);

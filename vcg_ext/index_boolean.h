@@ -45,7 +45,8 @@ Status extractBlock(const Arrangement& arrangement, Operation operation, Monitor
 // Intersects any number of surfaces, each of which may meet itself, for blocks: by cells, from
 // which a block of any combination of the operands can be read. Open operands part space as well,
 // but their winding number is 0 everywhere. Parameters as above.
-// \return any StatusCode but NotClosed, NotOriented, NoVolume, NestedComponents, SelfIntersecting
+// \return any StatusCode but NotClosed, NotOriented, NoVolume, NestedComponents; SelfIntersecting
+//         only if options.selfIntersections is Refuse
 // Complexity: O(n log n + p + t) beyond the search for pairs that meet, for n triangles of the
 // arrangement, p pairs of faces in contact and t triples of faces pairwise in contact.
 Status arrangeCells(MeshArrays input, const Options& options, Monitor& monitor, Arrangement& out);

@@ -6,12 +6,11 @@
 // INDEXBOOLEAN_FUZZ_PAIRS says; pair n is made from the seed n. A failing pair is made small and
 // printed.
 #include "core/shapes.h"
+#include "support/asked_inputs.h"
 #include "support/grid_properties.h"
 #include "support/shrink.h"
 
 #include <gtest/gtest.h>
-
-#include <cstdlib>
 
 namespace index_boolean {
 namespace {
@@ -21,11 +20,6 @@ using grid::meshOf;
 using grid::Rational;
 using grid::SolidPair;
 using shapes::BooleanRun;
-
-std::uint32_t pairCount() {
-	const char* asked = std::getenv("INDEXBOOLEAN_FUZZ_PAIRS");
-	return asked == nullptr ? 1000 : static_cast<std::uint32_t>(std::strtoul(asked, nullptr, 10));
-}
 
 // A third of the pairs run with the defaults, the others with any options.
 Options optionsOf(std::uint32_t seed) {
@@ -55,7 +49,7 @@ std::string text(const Options& o) {
 using Property = std::string (*)(const SolidPair&, const Options&);
 
 void expectOfEveryPair(Property defect) {
-	for (std::uint32_t seed = 0; seed < pairCount(); ++seed) {
+	for (std::uint32_t seed = 0; seed < askedInputs(1000); ++seed) {
 		const SolidPair pair = grid::randomPair(seed);
 		const Options options = optionsOf(seed);
 		const std::string found = defect(pair, options);
@@ -98,7 +92,7 @@ TEST(GridPolyhedra, anyNumberOfThreadsGivesTheSameTriangles) {
 // One pair is too small for a second thread: so many pairs side by side are one run.
 TEST(GridPolyhedra, manyPairsSideBySideAreTheSameForAnyNumberOfThreads) {
 	constexpr std::uint32_t kBeside = 200;
-	for (std::uint32_t first = 0; first < pairCount(); first += kBeside) {
+	for (std::uint32_t first = 0; first < askedInputs(1000); first += kBeside) {
 		SCOPED_TRACE("seeds from " + std::to_string(first));
 		GridMesh a, b;
 		double sixVolume = 0;

@@ -119,6 +119,17 @@ inline Mesh placed(Mesh m, std::mt19937& random, double offset) {
 	return m;
 }
 
+// A needle with integer corners that is thinner than an ulp of its coordinates; its volume is 1/2.
+inline Mesh needleThinnerThanAnUlp() {
+	Mesh m;
+	m.points = {{43673603679617., 80328280800392., -147746742945285.},
+	            {84225035830001., 154913992859559., -284931255263928.},
+	            {77707883588400., 142927081059868., -262883887154836.},
+	            {46021191708474., 84646168368568., -155688576359935.}};
+	m.triangles = {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}};
+	return m;
+}
+
 inline Mesh joined(const Mesh& a, const Mesh& b) {
 	Mesh m = a;
 	const auto offset = static_cast<std::uint32_t>(a.points.size());

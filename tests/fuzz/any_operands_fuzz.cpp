@@ -54,6 +54,7 @@ std::string splitDefect(const std::vector<SurfaceView>& views, const Options& op
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {
 	fuzz::ByteReader in(bytes, size);
 	Options options = fuzz::options(in);
+	options.selfIntersections = SelfIntersections::Resolve;
 	options.windingRule = static_cast<WindingRule>(in.below(3));
 	options.certify = in.below(64) == 0;  // the repair of such tangles takes a second each
 	std::vector<shapes::Mesh> operands;

@@ -109,6 +109,13 @@ class TestRefusals:
         assert made["result"]["union_self_intersections"] == -1
         assert "union_moved_vertices" not in made["result"]
 
+    def test_aLayerIsSearchedThoughTheOtherIsNoEmbeddedSurface(self):
+        nested = joined(box((20, 0, 0), (22, 2, 2)), box((20.5, 0.5, 0.5), (21, 1, 1)))
+        for layers in ((crossing_bars(), nested), (nested, crossing_bars())):
+            with pytest.raises(pymeshlab.PyMeshLabException, match="intersects itself"):
+                run_boolean(*layers[0], *layers[1], self_intersections="refuse")
+            assert volumes_of(*layers)["union"] == pytest.approx(16.0625)
+
     @pytest.mark.parametrize("mode", ["trust", "refuse"])
     def test_nestedComponentsAreResolvedAllTheSame(self, mode):
         layer = joined(box((0, 0, 0), (2, 2, 2)), box((0.25, 0.375, 0.5), (0.75, 0.875, 1)))
@@ -149,11 +156,17 @@ REPORTS = {
 
 
 class TestReports:
+    @pytest.mark.parametrize("scalar", ["host", "float"])
     @pytest.mark.parametrize("name", REPORTS)
-    def test_theVolumesAreLibigls(self, name):
-        volumes = volumes_of(*load(name))
+    def test_theVolumesAreLibiglsAndResultsHoldAndAreOperandsAgain(self, name, scalar):
+        first, second = load(name)
+        volumes = volumes_of(first, second, certify_as=scalar)
         found = [volumes[block] for block in BLOCKS[:3]]
-        assert found == pytest.approx(REPORTS[name], rel=1e-8)
+        assert found == pytest.approx(REPORTS[name], rel=1e-8 if scalar == "host" else 1e-5)
+        union = run_boolean(*first, *second, certify_as=scalar)["union"]
+        again = run_boolean(*union, *second, certify_as=scalar)["result"]
+        assert not again["self_intersecting_faces_first"]
+        assert again["union_volume"] == pytest.approx(volumes["union"], rel=1e-5)
 
     def test_twoCrossingFaultsInOneLayerCutABlockIntoFour(self):
         mesh_set = document(*load("gempy495_block_and_two_crossing_faults_in_one_layer"))

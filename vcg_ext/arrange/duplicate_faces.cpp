@@ -218,8 +218,12 @@ Status judgeRepeated(const Arrangement& arrangement, OperandId operand, Monitor&
 	return status;
 }
 
-// Drops faces from the arrays; `faces` are ascending.
-void drop(const std::vector<std::uint32_t>& faces, Arrangement& arrangement) {
+// Drops faces, in any order, from the arrays. \return Ok
+Status drop(std::vector<std::uint32_t> faces, Arrangement& arrangement) {
+	if (faces.empty()) {
+		return {};
+	}
+	std::sort(faces.begin(), faces.end());
 	MeshArrays& mesh = arrangement.mesh;
 	std::vector<std::uint32_t> given;
 	given.reserve(mesh.triangles.size() - faces.size());
@@ -241,6 +245,7 @@ void drop(const std::vector<std::uint32_t>& faces, Arrangement& arrangement) {
 	mesh.faux.resize(mesh.faux.empty() ? 0 : given.size());
 	mesh.faceOffsets = std::move(offsets);
 	arrangement.faceGiven = std::move(given);
+	return {};
 }
 
 }  // namespace
@@ -265,11 +270,7 @@ Status removeDuplicateFaces(Arrangement& arrangement, Monitor& monitor) {
 	const Status status =
 	    inOrder([&] { return findAllDuplicates(arrangement, monitor, judge, found); },
 	            [&] { return forEachOperand(mesh.operands(), judgeOperand); });
-	if (status.ok() && !faces.empty()) {
-		std::sort(faces.begin(), faces.end());
-		drop(faces, arrangement);
-	}
-	return status;
+	return status.ok() ? drop(std::move(faces), arrangement) : status;
 }
 
 Status takeRepeatedFacesOnce(Arrangement& arrangement, Monitor& monitor) {
@@ -290,11 +291,7 @@ Status takeRepeatedFacesOnce(Arrangement& arrangement, Monitor& monitor) {
 	const Status status =
 	    inOrder([&] { return findAllDuplicates(arrangement, monitor, judge, found); },
 	            [&] { return forEachOperand(mesh.operands(), judgeOperand); });
-	if (status.ok() && !faces.empty()) {
-		std::sort(faces.begin(), faces.end());
-		drop(faces, arrangement);
-	}
-	return status;
+	return status.ok() ? drop(std::move(faces), arrangement) : status;
 }
 
 Status takeDuplicateFacesOnce(Arrangement& arrangement, Monitor& monitor) {
@@ -312,11 +309,7 @@ Status takeDuplicateFacesOnce(Arrangement& arrangement, Monitor& monitor) {
 		arrangement.duplicates.takenOnce[operand] = repeated.size();
 		faces.insert(faces.end(), repeated.begin(), repeated.end());
 	}
-	if (!faces.empty()) {
-		std::sort(faces.begin(), faces.end());
-		drop(faces, arrangement);
-	}
-	return status;
+	return drop(std::move(faces), arrangement);
 }
 
 }  // namespace index_boolean

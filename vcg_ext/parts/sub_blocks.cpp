@@ -158,11 +158,10 @@ Status Assembler::uniteAround(const PartingEdge& edge) {
 // All edges of a loop have the same sub-surfaces around them in the same order: one edge will do.
 // In a soup a loop's edges may have others, and each is looked at.
 Status Assembler::uniteAtLoops() {
-	static const std::vector<Loop> none;
 	std::vector<std::uint8_t> done(complex_.parting.size());
 	Status status;
-	for (const Loop& loop : arrangement_.isSoup ? none : arrangement_.loops) {
-		for (std::size_t i = 0; i + 1 < loop.points.size(); ++i) {
+	for (const Loop& loop : arrangement_.loops) {
+		for (std::size_t i = 0; i + 1 < loop.points.size() && !arrangement_.isSoup; ++i) {
 			const PartingEdge* edge = complex_.partingEdge(loop.points[i], loop.points[i + 1]);
 			if (edge == nullptr) {
 				continue;

@@ -61,21 +61,11 @@ void expectVolumes(const Mesh& a, const Mesh& b, std::vector<double> volumes) {
 	}
 }
 
-Mesh needle() {
-	Mesh m;
-	m.points = {{43673603679617., 80328280800392., -147746742945285.},
-	            {84225035830001., 154913992859559., -284931255263928.},
-	            {77707883588400., 142927081059868., -262883887154836.},
-	            {46021191708474., 84646168368568., -155688576359935.}};
-	m.triangles = {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}};
-	return m;
-}
-
 TEST(SubBlocks, aNeedleThinnerThanAnUlpIsOneCell) {
 	const Mesh far = box({0, 0, 0}, {1, 1, 1});
-	const SplitRun r = splitOf(needle(), far);
+	const SplitRun r = splitOf(shapes::needleThinnerThanAnUlp(), far);
 	EXPECT_EQ(r.split.blocks.all.size(), 2u);
-	const BooleanRun blocks = run(needle(), far);
+	const BooleanRun blocks = run(shapes::needleThinnerThanAnUlp(), far);
 	EXPECT_TRUE(blocks.status.ok()) << describe(blocks.status);
 }
 

@@ -4,12 +4,11 @@
 // Of two embedded solids, blocks read from cells (the general path) are the blocks read from labels
 // (the fast path): the one has nothing in common with the other behind the arrangement.
 #include "core/any_operands.h"
+#include "support/asked_inputs.h"
 #include "support/grid_polyhedra.h"
 #include "support/grid_properties.h"
 
 #include <gtest/gtest.h>
-
-#include <cstdlib>
 
 namespace index_boolean {
 namespace {
@@ -109,14 +108,8 @@ void expectEqualBlocks(const BothPaths& paths, const Block& fast, const Block& g
 	EXPECT_EQ(found.doubleProjections.text(), expected.doubleProjections.text());
 }
 
-// 2000 pairs, or as many as INDEXBOOLEAN_FUZZ_PAIRS says; pair n is made from the seed n.
-std::uint32_t pairCount() {
-	const char* asked = std::getenv("INDEXBOOLEAN_FUZZ_PAIRS");
-	return asked == nullptr ? 2000 : static_cast<std::uint32_t>(std::strtoul(asked, nullptr, 10));
-}
-
 TEST(GeneralPath, hasTheBlocksOfTheFastOneOfGridSolids) {
-	for (std::uint32_t seed = 0; seed < pairCount() && !HasFailure(); ++seed) {
+	for (std::uint32_t seed = 0; seed < askedInputs(2000) && !HasFailure(); ++seed) {
 		const grid::SolidPair pair = grid::randomPair(seed);
 		SCOPED_TRACE("seed " + std::to_string(seed) + "\nA: " + grid::text(pair.a) +
 		             "\nB: " + grid::text(pair.b));
@@ -155,7 +148,7 @@ TEST(GeneralPath, hasTheBlocksOfTheFastOneOfRoundSolids) {
 }
 
 TEST(GeneralPath, hasTheCellsOfTheSplit) {
-	for (std::uint32_t seed = 0; seed < pairCount() && !HasFailure(); ++seed) {
+	for (std::uint32_t seed = 0; seed < askedInputs(2000) && !HasFailure(); ++seed) {
 		const grid::SolidPair pair = grid::randomPair(seed);
 		SCOPED_TRACE("seed " + std::to_string(seed) + "\nA: " + grid::text(pair.a) +
 		             "\nB: " + grid::text(pair.b));

@@ -6,13 +6,12 @@
 // cubes; of other solids, what is linear and quadratic in winding numbers with integrals over the
 // input. 200 inputs, or as many as INDEXBOOLEAN_FUZZ_PAIRS says; input n is made from the seed n.
 #include "core/any_operands.h"
+#include "support/asked_inputs.h"
 #include "support/grid_polyhedra.h"
 #include "support/grid_properties.h"
 #include "support/voxel_oracle.h"
 
 #include <gtest/gtest.h>
-
-#include <cstdlib>
 
 namespace index_boolean {
 namespace {
@@ -25,11 +24,6 @@ using shapes::SelfContact;
 using shapes::Windings;
 using voxels::BoxLayer;
 using voxels::SignedBox;
-
-std::uint32_t inputCount() {
-	const char* asked = std::getenv("INDEXBOOLEAN_FUZZ_PAIRS");
-	return asked == nullptr ? 200 : static_cast<std::uint32_t>(std::strtoul(asked, nullptr, 10));
-}
 
 // Whether a point is in a block, by whether it is in each operand.
 struct Expression {
@@ -153,7 +147,7 @@ std::string text(const std::vector<BoxLayer>& layers) {
 // \param body of the meshes, and what is counted of them
 template <class Body>
 void forEachBoxInput(Body&& body) {
-	for (std::uint32_t seed = 0; seed < inputCount() && !testing::Test::HasFailure(); ++seed) {
+	for (std::uint32_t seed = 0; seed < askedInputs(200) && !testing::Test::HasFailure(); ++seed) {
 		grid::Random random(seed);
 		const std::vector<BoxLayer> layers = randomBoxLayers(random);
 		SCOPED_TRACE("seed " + std::to_string(seed) + text(layers));
@@ -272,7 +266,7 @@ void expectIntegralsOfTheInput(const CellsRun& r, const SolidLayers& layers) {
 }
 
 TEST(RandomLayers, cellsHaveTheIntegralsOfTheInput) {
-	for (std::uint32_t seed = 0; seed < inputCount() && !HasFailure(); ++seed) {
+	for (std::uint32_t seed = 0; seed < askedInputs(200) && !HasFailure(); ++seed) {
 		const SolidLayers layers(seed);
 		SCOPED_TRACE("seed " + std::to_string(seed) + layers.text());
 		const CellsRun r = shapes::runCells(layers.meshes());
@@ -286,7 +280,7 @@ TEST(RandomLayers, cellsHaveTheIntegralsOfTheInput) {
 }
 
 TEST(RandomLayers, blocksKeepTheirPromisesAndHaveTheVolumeOfTheirCells) {
-	for (std::uint32_t seed = 0; seed < inputCount() && !HasFailure(); ++seed) {
+	for (std::uint32_t seed = 0; seed < askedInputs(200) && !HasFailure(); ++seed) {
 		const SolidLayers layers(seed);
 		SCOPED_TRACE("seed " + std::to_string(seed) + layers.text());
 		Options options = shapes::onOneThread();
@@ -344,7 +338,7 @@ void expectTheSameInAnyOrder(std::vector<Mesh> meshes) {
 }
 
 TEST(RandomLayers, threeOperandsGiveTheSameTrianglesInAnyOrder) {
-	for (std::uint32_t seed = 0; seed < (inputCount() + 9) / 10 && !HasFailure(); ++seed) {
+	for (std::uint32_t seed = 0; seed < (askedInputs(200) + 9) / 10 && !HasFailure(); ++seed) {
 		grid::Random random(seed);
 		const std::vector<BoxLayer> boxes = randomBoxLayers(random);
 		{
@@ -358,7 +352,7 @@ TEST(RandomLayers, threeOperandsGiveTheSameTrianglesInAnyOrder) {
 }
 
 TEST(RandomLayers, anyNumberOfThreadsGivesTheSameBytes) {
-	for (std::uint32_t seed = 0; seed < (inputCount() + 9) / 10 && !HasFailure(); ++seed) {
+	for (std::uint32_t seed = 0; seed < (askedInputs(200) + 9) / 10 && !HasFailure(); ++seed) {
 		const SolidLayers layers(seed);
 		SCOPED_TRACE("seed " + std::to_string(seed) + layers.text());
 		Options options;
