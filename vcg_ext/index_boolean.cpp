@@ -17,6 +17,7 @@
 #include "vcg_ext/arrange/retriangulate.h"
 #include "vcg_ext/arrange/self_intersections.h"
 #include "vcg_ext/arrange/soup_contacts.h"
+#include "vcg_ext/arrange/stored_operands.h"
 #include "vcg_ext/arrange/triangle_contact.h"
 #include "vcg_ext/arrange/triple_contact.h"
 #include "vcg_ext/base/huge_pages.h"
@@ -32,6 +33,7 @@
 #include "vcg_ext/solids/manifold_copies.h"
 #include "vcg_ext/solids/merge_fragments.h"
 #include "vcg_ext/solids/overlap_owners.h"
+#include "vcg_ext/solids/rounding_loop.h"
 #include "vcg_ext/solids/turned_components.h"
 
 #include <algorithm>
@@ -265,6 +267,19 @@ Status arrangeRounded(Purpose purpose, MeshArrays operands, Monitor& monitor, Ar
 	return {};
 }
 
+// Cures what is left by arranging the operands as they are stored.
+Status arrangeAsStored(Purpose purpose, Monitor& monitor, Arrangement& out) {
+	if (out.placeRepair.faultsAfter == 0) {
+		return {};
+	}
+	const auto arrangeAgain = [&](MeshArrays operands, const Options& options, Arrangement& again) {
+		Stages stages(monitor, again.stageTimes, 1, 0);
+		arrangeSoup(purpose.forBlocks, std::move(operands), options, monitor, stages, again);
+		return stages.status();
+	};
+	return holdAsStored(arrangeAgain, monitor, out);
+}
+
 Status arrangeFor(Purpose purpose, MeshArrays input, const Options& options, Monitor& monitor,
                   Arrangement& out) {
 	return guarded([&] {
@@ -276,9 +291,14 @@ Status arrangeFor(Purpose purpose, MeshArrays input, const Options& options, Mon
 		}
 		Stages stages(monitor, out.stageTimes);
 		arrangeOnce(purpose, std::move(input), options, monitor, stages, out);
-		return stages.status().ok() && out.placeRepair.faultsAfter > 0 && !rounded.points.empty()
-		           ? arrangeRounded(purpose, std::move(rounded), monitor, out)
-		           : stages.status();
+		if (stages.status().ok() && out.placeRepair.faultsAfter > 0 && !rounded.points.empty()) {
+			const Status status = arrangeRounded(purpose, std::move(rounded), monitor, out);
+			if (!status.ok()) {
+				return status;
+			}
+		}
+		stages.run("rounding_loop", 0, [&] { return arrangeAsStored(purpose, monitor, out); });
+		return stages.status();
 	});
 }
 
@@ -353,15 +373,15 @@ namespace {
 
 constexpr double kMadeBlock = 0.95;  // of a block's progress bar
 
-// Collects a block's faces and vertices: collect(block).
-using Collect = std::function<Status(Block&)>;
+// Collects a block's faces and vertices from a labelled arrangement.
+using Collect = std::function<Status(const Arrangement& arrangement, Block&)>;
 
 // A block from the labelled arrangement to its certificate.
 void makeBlock(const Arrangement& arrangement, const Collect& collect,
                const std::vector<FaceId>& keptCuts, Monitor& monitor, Stages& stages, Block& out) {
 	const Options& options = arrangement.options;
 	stages.run("blocks", 0.55, [&] {
-		const Status status = collect(out);
+		const Status status = collect(arrangement, out);
 		out.keptCuts = keptCuts;
 		return status;
 	});
@@ -383,19 +403,40 @@ void makeBlock(const Arrangement& arrangement, const Collect& collect,
 	           [&] { return certify(arrangement, out, {}, isAsCut, monitor, out.certificate); });
 }
 
+// Names the sources of a block that was read from operands arranged again as the first arrangement
+// does, and compares it with that one's.
+Status finishAgain(const Arrangement& arrangement, const Collect& collect, Monitor& monitor,
+                   Block& out) {
+	nameFacesAsFirst(*arrangement.again, out.faceSource);
+	nameVerticesAsFirst(*arrangement.again, out.vertexSource);
+	Block exact;
+	return inOrder([&] { return collect(arrangement, exact); },
+	               [&] {
+		               return arrangement.options.weldNonManifold
+		                          ? Status{}
+		                          : copyNonManifold(arrangement, monitor, exact);
+	               },
+	               [&] { return compareWithExact(arrangement, exact, out); });
+}
+
 Status extractCollected(const Arrangement& arrangement, const Collect& collect, Monitor& monitor,
                         Block& out) {
 	return guarded([&] {
 		Stages stages(monitor, out.stageTimes);
-		makeBlock(arrangement, collect, {}, monitor, stages, out);
+		const Arrangement& stored = asStored(arrangement);
+		makeBlock(stored, collect, {}, monitor, stages, out);
 		stages.run("kept_cuts", 0, [&] {
 			const auto remake = [&](const std::vector<FaceId>& keptCuts, Block& again) {
 				Stages repeated(monitor, again.stageTimes, kMadeBlock, 0);
-				makeBlock(arrangement, collect, keptCuts, monitor, repeated, again);
+				makeBlock(stored, collect, keptCuts, monitor, repeated, again);
 				return repeated.status();
 			};
-			return keepCutsThatHold(arrangement, remake, out);
+			return keepCutsThatHold(stored, remake, out);
 		});
+		if (arrangement.again != nullptr) {
+			stages.run("rounding_loop", 0,
+			           [&] { return finishAgain(arrangement, collect, monitor, out); });
+		}
 		stages.run("polygons", 0.05, [&] { return findFauxEdges(arrangement, {}, monitor, out); });
 		return stages.status();
 	});
@@ -406,12 +447,11 @@ Status extractCollected(const Arrangement& arrangement, const Collect& collect, 
 Status extractBlock(const Arrangement& arrangement, Operation operation, Monitor& monitor,
                     Block& out) {
 	const WindingRule rule = arrangement.options.windingRule;
-	const auto collect = [&](Block& block) {
-		if (!arrangement.cells.areKnown()) {
-			return collectBlock(arrangement, operation, monitor, block);
+	const auto collect = [&](const Arrangement& from, Block& block) {
+		if (!from.cells.areKnown()) {
+			return collectBlock(from, operation, monitor, block);
 		}
-		const Status status =
-		    collectCells(arrangement, cellPredicateOf(operation, rule), monitor, block);
+		const Status status = collectCells(from, cellPredicateOf(operation, rule), monitor, block);
 		block.operation = operation;
 		return status;
 	};
@@ -420,8 +460,8 @@ Status extractBlock(const Arrangement& arrangement, Operation operation, Monitor
 
 Status extractBlock(const Arrangement& arrangement, const CellPredicate& isInside, Monitor& monitor,
                     Block& out) {
-	const auto collect = [&](Block& block) {
-		return collectCells(arrangement, isInside, monitor, block);
+	const auto collect = [&](const Arrangement& from, Block& block) {
+		return collectCells(from, isInside, monitor, block);
 	};
 	return extractCollected(arrangement, collect, monitor, out);
 }
@@ -432,8 +472,13 @@ Status findParts(const Arrangement& arrangement, bool alsoBlocks, Monitor& monit
 	return guarded([&] {
 		out = Split{};
 		Stages stages(monitor, out.stageTimes);
-		stages.run("sub_surfaces", 0.7,
-		           [&] { return findSubSurfaces(arrangement, monitor, out.surfaces); });
+		stages.run("sub_surfaces", 0.7, [&] {
+			const Status status = findSubSurfaces(arrangement, monitor, out.surfaces);
+			if (status.ok()) {
+				listStoredTriangles(arrangement, out.surfaces.complex, out.surfaces.stored);
+			}
+			return status;
+		});
 		if (alsoBlocks) {
 			stages.run("sub_blocks", 0.3, [&] {
 				return findSubBlocks(arrangement, out.surfaces, Walls::All, monitor, out.blocks);

@@ -9,8 +9,10 @@
 
 #include "vcg_ext/mesh/element_counts.h"
 #include "vcg_ext/mesh/mesh_arrays.h"
+#include "vcg_ext/mesh/sourced_mesh.h"
 
 #include <map>
+#include <memory>
 #include <string>
 
 namespace index_boolean {
@@ -259,7 +261,10 @@ struct PlaceRepair {
 	bool areFacesFine =
 	    false;               // searched: no two of all faces meet wrongly as stored, none is flat
 	bool isGivenUp = false;  // there were too many faces, or trials: some have not been tried
+	std::vector<VertexId> concerned;  // corners of the faces that are still concerned; ascending
 };
+
+struct StoredAgain;
 
 struct Arrangement {
 	// [operands], as the caller gave them
@@ -294,6 +299,9 @@ struct Arrangement {
 	// [loops]; empty where the operands do not meet
 	std::vector<Loop> loops;
 	LoopCounts loopCounts;
+	// [rounding_loop]: the refined operands as stored, arranged once more, from which blocks are
+	// read; null unless faults were left that only this cures.
+	std::shared_ptr<const StoredAgain> again;
 	// [labels] and [overlap_owners]; empty when splitting, and of a soup
 	Labels labels;
 	CellLabels cells;
@@ -323,5 +331,20 @@ struct Arrangement {
 		return isCurvePoint(v) ? at(curve.rounded, pointOf(v)) : at(mesh.points, v);
 	}
 };
+
+// An arrangement of another one's operands as they are stored, and what its elements are in that
+// one.
+struct StoredAgain {
+	Arrangement arrangement;
+	// Per input face: the other's input face that it is a piece of, and whether it has been turned.
+	std::vector<FaceSource> faceOf;
+	std::vector<std::uint32_t> pieceOf;  // per input face: which piece of that face, or kNone: all
+	std::vector<VertexId> vertexOf;      // per input vertex: the other's, or none()
+};
+
+// The arrangement that blocks and parts are read from. Complexity: O(1).
+inline const Arrangement& asStored(const Arrangement& arrangement) {
+	return arrangement.again != nullptr ? arrangement.again->arrangement : arrangement;
+}
 
 }  // namespace index_boolean

@@ -25,8 +25,8 @@ double distance(const Point& a, const Point& b) {
 }  // namespace
 
 bool PlaceDescent::isDone() const {
-	constexpr std::size_t kMostTrials = 60000, kMostWork = 4000000;  // faces
-	return faults_.count() == 0 || arrangement_.placeRepair.trials >= kMostTrials ||
+	constexpr std::size_t kMostWork = 4000000;  // faces
+	return faults_.count() == 0 || arrangement_.placeRepair.trials >= mostTrialsInAll_ ||
 	       faults_.work() >= kMostWork || pollCancelled(monitor_);
 }
 
@@ -310,14 +310,28 @@ bool PlaceDescent::isStale(const Cluster& cluster) const {
 	                    [this](std::uint32_t face) { return faults_.isConcerned(face); });
 }
 
+// Whether most of the faces concerned hang together in clusters that are not tried.
+bool PlaceDescent::isMostlyTooLarge() {
+	std::size_t faces = 0;
+	for (const Cluster& cluster : clusters()) {
+		faces += cluster.faces.size() > kMostFacesTogether ? cluster.faces.size() : 0;
+	}
+	return 2 * faces > faults_.concernedCount();
+}
+
 // \return whether any cluster is better now
 bool PlaceDescent::runRound(double reach, Kind kind) {
+	isAnyTooLarge_ = false;
 	++arrangement_.placeRepair.rounds;
 	std::set<std::vector<std::uint32_t>>& failed = failed_[static_cast<std::size_t>(kind)];
 	bool isBetter = false;
 	for (const Cluster& cluster : clusters()) {
 		if (isDone()) {
 			break;
+		}
+		if (cluster.faces.size() > kMostFacesTogether) {
+			isAnyTooLarge_ = true;
+			continue;
 		}
 		if (isStale(cluster) || failed.count(cluster.faces) != 0) {
 			continue;
@@ -336,6 +350,15 @@ Status PlaceDescent::run() {
 	PlaceRepair& report = arrangement_.placeRepair;
 	report.concernedBefore = faults_.concernedCount();
 	report.faultsBefore = faults_.count();
+	// A fault that goes takes about ten; what needs many more, the rounding loop cures sooner.
+	constexpr std::size_t kFewTrials = 1000, kTrialsPerFault = 10, kMostTrials = 60000;
+	mostTrialsInAll_ = std::min(kMostTrials, kFewTrials + kTrialsPerFault * faults_.count());
+	if (isMostlyTooLarge()) {
+		report.isGivenUp = true;
+		report.concernedAfter = report.concernedBefore;
+		report.faultsAfter = report.faultsBefore;
+		return pollCancelled(monitor_) ? statusOf(StatusCode::Cancelled) : Status{};
+	}
 	double steps = 1;
 	while (steps <= kMostSteps && !isDone()) {
 		const auto isBetter = [&](Kind kind) { return runRound(steps * unit_, kind); };
@@ -345,7 +368,7 @@ Status PlaceDescent::run() {
 			failed_ = {};
 		}
 	}
-	report.isGivenUp = steps <= kMostSteps && faults_.count() != 0;
+	report.isGivenUp = (isAnyTooLarge_ || steps <= kMostSteps) && faults_.count() != 0;
 	report.concernedAfter = faults_.concernedCount();
 	report.faultsAfter = faults_.count();
 	for (const auto& [vertex, place] : arrangement_.movedPlaces) {

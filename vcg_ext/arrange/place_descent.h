@@ -50,7 +50,11 @@ private:
 	enum class Kind : std::uint8_t { Join, Move, JoinInputs, MoveInputs };
 	static constexpr std::size_t kKindCount = 4;
 
+	// Larger clusters take too many trials: they are left to the rounding loop.
+	static constexpr std::size_t kMostFacesTogether = 100;
+
 	bool isDone() const;
+	bool isMostlyTooLarge();
 	bool runRound(double reach, Kind kind);
 	std::vector<Cluster> clusters();
 	void rankVertices(const std::vector<std::uint32_t>& faces);
@@ -78,7 +82,9 @@ private:
 	Monitor& monitor_;
 	PiecePatches patches_;
 	std::size_t mostTrials_ = 0;  // until the cluster's turn ends
+	std::size_t mostTrialsInAll_ = 0;
 	bool mayMoveInputs_ = false;
+	bool isAnyTooLarge_ = false;          // of the round's clusters
 	std::vector<std::uint8_t> isRanked_;  // per vertex of the surface
 	std::vector<std::uint32_t> rankOf_, ranked_;
 	// Per kind: clusters, by their faces, that are no better for it at this reach.

@@ -8,6 +8,7 @@
 #include "vcg_ext/arrange/box_frame.h"
 #include "vcg_ext/arrange/place_descent.h"
 #include "vcg_ext/arrange/places.h"
+#include "vcg_ext/base/sorted_list.h"
 #include "vcg_ext/base/union_find.h"
 
 #include <algorithm>
@@ -58,6 +59,19 @@ std::vector<std::uint32_t> findClasses(const Arrangement& arrangement,
 	return classOf;
 }
 
+// The corners of faces.
+std::vector<VertexId> cornersOf(const StoredSurface& surface,
+                                const std::vector<std::uint32_t>& faces) {
+	std::vector<VertexId> corners;
+	for (const std::uint32_t face : faces) {
+		for (const std::uint32_t v : surface.corners[face]) {
+			corners.push_back(surface.vertices[v]);
+		}
+	}
+	sortUnique(corners);
+	return corners;
+}
+
 void takePieces(const StoredSurface& surface, Triangles& pieces) {
 	for (std::size_t i = 0; i < pieces.size(); ++i) {
 		for (std::size_t k = 0; k < 3; ++k) {
@@ -84,6 +98,7 @@ Status descend(Arrangement& arrangement, Monitor& monitor) {
 	if (status.ok()) {
 		status = PlaceDescent(arrangement, faults, unit, monitor).run();
 	}
+	arrangement.placeRepair.concerned = cornersOf(surface, faults.facesConcerned());
 	if (status.ok() && arrangement.placeRepair.faultsAfter < arrangement.placeRepair.faultsBefore) {
 		takePieces(surface, arrangement.refinement.pieces);
 	}
@@ -92,7 +107,7 @@ Status descend(Arrangement& arrangement, Monitor& monitor) {
 
 // Whether anything is wrong. \param areAllDistinct no face is another one's twin, or collapsed
 Status look(const Arrangement& arrangement, Monitor& monitor, WrongPairs& wrong,
-            bool& areAllDistinct) {
+            bool& areAllDistinct, std::vector<VertexId>& concerned) {
 	StoredSurface surface;
 	const Status status = collectStoredSurface(arrangement, 0, monitor, surface);
 	areAllDistinct = true;
@@ -105,20 +120,24 @@ Status look(const Arrangement& arrangement, Monitor& monitor, WrongPairs& wrong,
 		               areAllDistinct = faces.size() == surface.corners.size();
 		               return findFaults(surface, faces, arrangement.options.threads, monitor,
 		                                 wrong);
+	               },
+	               [&] {
+		               concerned = cornersOf(surface, facesConcerned(wrong));
+		               return Status{};
 	               });
 }
 
 }  // namespace
 
 Status repairPlaces(Arrangement& arrangement, Monitor& monitor) {
-	constexpr std::size_t kMostFaces = 2000;
+	constexpr std::size_t kMostFaces = 5000;  // beyond which trials take longer than all else
 	if (!arrangement.options.certify) {
 		return {};
 	}
 	WrongPairs wrong;
 	PlaceRepair& report = arrangement.placeRepair;
 	bool areAllDistinct = false;
-	const Status status = look(arrangement, monitor, wrong, areAllDistinct);
+	const Status status = look(arrangement, monitor, wrong, areAllDistinct, report.concerned);
 	if (!status.ok() || (wrong.pairs.empty() && wrong.zeroAreaFaces.empty())) {
 		report.areFacesFine = status.ok() && areAllDistinct;
 		return status;

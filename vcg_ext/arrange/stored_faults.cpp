@@ -88,7 +88,7 @@ Status StoredFaults::find() {
 	if (!listed.ok()) {
 		return listed;
 	}
-	isMoved_.resize(faceCount);
+	home_.resize(faceCount, Home::First);
 	isTouched_.resize(faceCount);
 	stands_.resize(faceCount);
 	chooseStanding();
@@ -147,12 +147,19 @@ void StoredFaults::findNear(std::uint32_t face) {
 		trees_[tree].visit(
 		    0, [&box](const BoundingBox& other) { return meet(box, other); },
 		    [&](std::uint32_t i) {
-			    if (first + i != face && isMoved_[first + i] == 0) {
+			    if (first + i != face && home_[first + i] == Home::First) {
 				    near_.push_back(first + i);
 			    }
 		    });
 	}
-	for (const std::uint32_t other : moved_) {
+	changedTree_.visit(
+	    0, [&box](const BoundingBox& other) { return meet(box, other); },
+	    [&](std::uint32_t i) {
+		    if (changed_[i] != face && home_[changed_[i]] == Home::Changed) {
+			    near_.push_back(changed_[i]);
+		    }
+	    });
+	for (const auto& [other, before] : recent_) {
 		if (other != face && meet(box, boxOf(other))) {
 			near_.push_back(other);
 		}
@@ -183,6 +190,32 @@ void StoredFaults::touch(std::uint32_t face) {
 		touched_.push_back(face);
 		stoodBefore_.push_back(stands_[face]);
 	}
+}
+
+// A face of which no tree knows where it is any more.
+void StoredFaults::leaveHome(std::uint32_t face) {
+	if (home_[face] != Home::Recent) {
+		recent_.emplace_back(face, home_[face]);
+		home_[face] = Home::Recent;
+	}
+}
+
+// Gathers the faces that have changed so far in a tree, so that the list of recent ones stays
+// short.
+void StoredFaults::plantChanged() {
+	for (const auto& [face, before] : recent_) {
+		if (before == Home::First) {
+			changed_.push_back(face);
+		}
+		home_[face] = Home::Changed;
+	}
+	recent_.clear();
+	std::vector<BoundingBox> boxes;
+	boxes.reserve(changed_.size());
+	for (const std::uint32_t face : changed_) {
+		boxes.push_back(boxOf(face));
+	}
+	changedTree_ = BoxTree(std::move(boxes));
 }
 
 std::uint32_t StoredFaults::placeNumber(const Point& place) {
@@ -225,10 +258,7 @@ void StoredFaults::setPlace(std::uint32_t vertex, const Point& place) {
 	for (const std::uint32_t face : facesAt_[vertex]) {
 		findMates(face);
 		std::for_each(mates_.begin(), mates_.end(), [this](std::uint32_t f) { touch(f); });
-		if (isMoved_[face] == 0) {
-			isMoved_[face] = 1;
-			moved_.push_back(face);
-		}
+		leaveHome(face);
 	}
 	placesBefore_.push_back({vertex, surface_.placeOf[vertex]});
 	writePlace(vertex, placeNumber(place));
@@ -240,10 +270,7 @@ void StoredFaults::setCorners(std::uint32_t face, const IndexTriangle& corners) 
 	}
 	findMates(face);
 	std::for_each(mates_.begin(), mates_.end(), [this](std::uint32_t f) { touch(f); });
-	if (isMoved_[face] == 0) {
-		isMoved_[face] = 1;
-		moved_.push_back(face);
-	}
+	leaveHome(face);
 	cornersBefore_.emplace_back(face, surface_.corners[face]);
 	write(face, corners);
 }
@@ -444,9 +471,9 @@ void StoredFaults::undo() {
 	for (std::size_t i = placesBefore_.size(); i-- > 0;) {
 		writePlace(placesBefore_[i][0], placesBefore_[i][1]);
 	}
-	while (moved_.size() > movedBefore_) {
-		isMoved_[moved_.back()] = 0;
-		moved_.pop_back();
+	while (recent_.size() > recentBefore_) {
+		home_[recent_.back().first] = recent_.back().second;
+		recent_.pop_back();
 	}
 }
 
@@ -463,7 +490,11 @@ void StoredFaults::forget() {
 	pairsRemoved_.clear();
 	zeroAreaAdded_.clear();
 	zeroAreaRemoved_.clear();
-	movedBefore_ = moved_.size();
+	constexpr std::size_t kMostRecent = 64;
+	if (recent_.size() > kMostRecent) {
+		plantChanged();
+	}
+	recentBefore_ = recent_.size();
 }
 
 }  // namespace index_boolean

@@ -62,6 +62,8 @@ public:
 
 private:
 	void touch(std::uint32_t face);
+	void leaveHome(std::uint32_t face);
+	void plantChanged();
 	void write(std::uint32_t face, const IndexTriangle& corners);
 	void writePlace(std::uint32_t vertex, std::uint32_t place);
 	std::uint32_t placeNumber(const Point& place);
@@ -92,10 +94,15 @@ private:
 	std::vector<std::vector<std::uint32_t>> facesAt_;     // per vertex
 	std::vector<std::vector<std::uint32_t>> verticesAt_;  // per place
 	std::map<Point, std::uint32_t> numberOf_;             // places that faces have been tried in
-	std::vector<std::uint8_t> stands_;   // per face: it is still there once cleaned
-	std::vector<BoxTree> trees_;         // over the faces as they were at first
-	std::vector<std::uint8_t> isMoved_;  // per face: no longer as it was at first
-	std::vector<std::uint32_t> moved_;   // those
+	std::vector<std::uint8_t> stands_;  // per face: it is still there once cleaned
+	// Where a face is found by its box: among the faces as they were at first, among those that had
+	// changed when their tree was planted, or in the list of those that have changed since.
+	enum class Home : std::uint8_t { First, Changed, Recent };
+	std::vector<BoxTree> trees_;  // over the faces as they were at first
+	BoxTree changedTree_;         // over `changed_`, by place in it
+	std::vector<std::uint32_t> changed_;
+	std::vector<Home> home_;                              // per face
+	std::vector<std::pair<std::uint32_t, Home>> recent_;  // and where they were before
 
 	std::map<std::uint32_t, std::set<std::uint32_t>> partners_;  // per face in a pair
 	std::set<std::uint32_t> zeroAreaFaces_;
@@ -109,7 +116,7 @@ private:
 	std::vector<std::array<std::uint32_t, 2>> placesBefore_;  // vertex, place
 	std::vector<FacePair> pairsRemoved_, pairsAdded_;
 	std::vector<std::uint32_t> zeroAreaRemoved_, zeroAreaAdded_;
-	std::size_t movedBefore_ = 0;
+	std::size_t recentBefore_ = 0;
 	std::vector<std::uint32_t> near_, mates_;
 };
 

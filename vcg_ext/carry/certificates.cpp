@@ -23,7 +23,12 @@ bool isRounded(const Arrangement& arrangement, VertexId source) {
 Status findSuspects(const Arrangement& arrangement, const SourcedMesh& mesh, Monitor& monitor,
                     std::vector<std::uint8_t>& isSuspect) {
 	constexpr std::size_t kGrain = 1 << 14;
-	isSuspect.resize(mesh.triangles.size());
+	// What was arranged again as stored is looked at as a whole: parts of the first arrangement may
+	// have come to lie on one another.
+	isSuspect.assign(mesh.triangles.size(), arrangement.again != nullptr ? 1 : 0);
+	if (arrangement.again != nullptr) {
+		return {};
+	}
 	const auto isRoundedSource = [&arrangement](VertexId v) { return isRounded(arrangement, v); };
 	const auto first = static_cast<std::uint32_t>(
 	    std::find_if(mesh.vertexSource.begin(), mesh.vertexSource.end(), isRoundedSource) -

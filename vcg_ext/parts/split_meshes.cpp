@@ -6,12 +6,15 @@
 #include "vcg_ext/parts/split_meshes.h"
 
 #include "vcg_ext/arrange/places.h"
+#include "vcg_ext/arrange/stored_operands.h"
 #include "vcg_ext/base/parallel.h"
 #include "vcg_ext/carry/certificates.h"
 #include "vcg_ext/carry/polygons.h"
 #include "vcg_ext/mesh/clean.h"
+#include "vcg_ext/mesh/face_key.h"
 
 #include <algorithm>
+#include <map>
 
 namespace index_boolean {
 
@@ -30,16 +33,17 @@ class SplitMeshCollector {
 public:
 	SplitMeshCollector(const Arrangement& arrangement, const SubSurfaces& surfaces,
 	                   const SubBlocks& blocks, Monitor& monitor, SplitMesh& out)
-	    : arrangement_(arrangement), surfaces_(surfaces), blocks_(blocks), monitor_(monitor),
-	      out_(out) {}
+	    : arrangement_(arrangement), stored_(asStored(arrangement)), surfaces_(surfaces),
+	      blocks_(blocks), monitor_(monitor), out_(out) {}
 
 	// Makes room for faces to be chosen.
 	void expect(std::size_t faceCount) { chosen_.reserve(faceCount); }
-	void choose(const ChosenFace& face) { chosen_.push_back(face); }
+	void choose(const ChosenFace& face);
 	// Makes the mesh of the chosen faces. \param isBlock they bound one sub-block
 	Status run(bool isBlock);
 
 private:
+	void dropFolds(bool isBlock);
 	void listVertices();
 	std::uint32_t numberOf(VertexId v) const;
 	Status placeVertices();
@@ -49,15 +53,64 @@ private:
 	Status certify(bool isBlock);
 	Status markPolygons();
 	std::array<std::int32_t, 2> besideOf(const ChosenFace& face) const;
+	const Triangle& cornersOf(std::size_t chosen) const {
+		return corners_.empty() ? surfaces_.complex.faces[chosen_[chosen].face].corners
+		                        : corners_[chosen];
+	}
 
 	const Arrangement& arrangement_;
+	const Arrangement& stored_;  // that the vertices are of
 	const SubSurfaces& surfaces_;
 	const SubBlocks& blocks_;
 	Monitor& monitor_;
 	SplitMesh& out_;
 	HugeVector<ChosenFace> chosen_;
+	Triangles corners_;                  // of each, where other triangles are stored; else empty
 	HugeVector<std::uint32_t> numbers_;  // per vertex, kNone without; empty: look it up
 };
+
+void SplitMeshCollector::choose(const ChosenFace& face) {
+	const StoredTriangles& stored = surfaces_.stored;
+	if (!stored.areThere()) {
+		chosen_.push_back(face);
+		return;
+	}
+	for (std::uint32_t i = stored.first[face.face]; i < stored.first[face.face + 1]; ++i) {
+		chosen_.push_back(face);
+		corners_.push_back(stored.triangles[i]);
+	}
+}
+
+// Of triangles stored on the same corners, those that are turned against each other are one sheet
+// folded onto itself: they go in pairs, from a sub-block, or from one sub-surface each.
+void SplitMeshCollector::dropFolds(bool isBlock) {
+	using Part = std::pair<std::uint32_t, std::array<VertexId, 3>>;
+	std::map<Part, std::array<std::vector<std::size_t>, 2>> standing;  // each way round
+	std::vector<std::uint8_t> isGone(chosen_.size(), 0);
+	for (std::size_t i = 0; i < chosen_.size(); ++i) {
+		const FaceKey<VertexId> key = faceKeyOf(corners_[i]);
+		const bool isForward = key.ascending != chosen_[i].turned;
+		const std::uint32_t part = isBlock ? 0 : surfaces_.ofFace[chosen_[i].face].value;
+		auto& ways = standing[{part, key.corners}];
+		auto& same = ways[isForward ? 1 : 0];
+		auto& opposite = ways[isForward ? 0 : 1];
+		if (opposite.empty()) {
+			same.push_back(i);
+		} else {
+			isGone[i] = isGone[opposite.back()] = 1;
+			opposite.pop_back();
+		}
+	}
+	std::size_t kept = 0;
+	for (std::size_t i = 0; i < chosen_.size(); ++i) {
+		if (isGone[i] == 0) {
+			chosen_[kept] = chosen_[i];
+			corners_[kept++] = corners_[i];
+		}
+	}
+	chosen_.resize(kept);
+	corners_.resize(kept);
+}
 
 std::array<std::int32_t, 2> SplitMeshCollector::besideOf(const ChosenFace& face) const {
 	std::array<std::int32_t, 2> beside = at(blocks_.beside, surfaces_.ofFace[face.face]);
@@ -73,17 +126,17 @@ void SplitMeshCollector::listVertices() {
 	HugeVector<VertexId>& used = out_.vertexSource;
 	constexpr std::size_t kFewOf = 64;
 	if (chosen_.size() < faces.size() / kFewOf) {
-		for (const ChosenFace& face : chosen_) {
-			const Triangle& t = faces[face.face].corners;
+		for (std::size_t i = 0; i < chosen_.size(); ++i) {
+			const Triangle& t = cornersOf(i);
 			used.insert(used.end(), t.begin(), t.end());
 		}
 		std::sort(used.begin(), used.end());
 		used.erase(std::unique(used.begin(), used.end()), used.end());
 		return;
 	}
-	numbers_.assign(arrangement_.mesh.points.size() + arrangement_.curve.pointCount(), kNone);
-	for (const ChosenFace& face : chosen_) {
-		for (const VertexId v : faces[face.face].corners) {
+	numbers_.assign(stored_.mesh.points.size() + stored_.curve.pointCount(), kNone);
+	for (std::size_t i = 0; i < chosen_.size(); ++i) {
+		for (const VertexId v : cornersOf(i)) {
 			at(numbers_, v) = 0;
 		}
 	}
@@ -111,7 +164,7 @@ Status SplitMeshCollector::placeVertices() {
 	return parallelFor(used.size(), kGrain, arrangement_.options.threads, monitor_,
 	                   [&](std::size_t begin, std::size_t end) {
 		                   for (std::size_t v = begin; v < end; ++v) {
-			                   out_.points[v] = outputCoordinates(arrangement_, used[v]);
+			                   out_.points[v] = outputCoordinates(stored_, used[v]);
 		                   }
 	                   });
 }
@@ -165,7 +218,7 @@ Status SplitMeshCollector::writeFaces() {
 	const auto write = [&](std::size_t begin, std::size_t end) {
 		for (std::size_t i = begin; i < end; ++i) {
 			const ChosenFace& face = chosen_[i];
-			const Triangle& t = surfaces_.complex.faces[face.face].corners;
+			const Triangle& t = cornersOf(i);
 			out_.triangles[i] = {numberOf(t[0]), numberOf(t[face.turned ? 2 : 1]),
 			                     numberOf(t[face.turned ? 1 : 2])};
 			out_.faceSource[i] = face.source;
@@ -177,9 +230,18 @@ Status SplitMeshCollector::writeFaces() {
 }
 
 Status SplitMeshCollector::run(bool isBlock) {
+	if (!corners_.empty()) {
+		dropFolds(isBlock);
+	}
+	const auto nameSources = [this] {
+		if (arrangement_.again != nullptr) {
+			nameVerticesAsFirst(*arrangement_.again, out_.vertexSource);
+		}
+		return Status{};
+	};
 	return inOrder([this] { return placeVertices(); }, [this] { return writeFaces(); },
 	               [this] { return clean(); }, [this, isBlock] { return certify(isBlock); },
-	               [this] { return markPolygons(); });
+	               nameSources, [this] { return markPolygons(); });
 }
 
 }  // namespace

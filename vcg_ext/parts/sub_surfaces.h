@@ -10,6 +10,7 @@
 
 #include "vcg_ext/arrange/surface_complex.h"
 #include "vcg_ext/exact/surface_sums.h"
+#include "vcg_ext/parts/stored_triangles.h"
 
 namespace index_boolean {
 
@@ -51,6 +52,7 @@ struct SubSurfaces {
 	std::vector<std::vector<SubSurfaceId>> atLoop;    // per loop of the arrangement; ascending
 	std::vector<SurfaceSums> sums;                    // per sub-surface, seen from its front
 	SumFrame frame;                                   // of the sums
+	StoredTriangles stored;  // in place of the complex's, if these do not hold as they are stored
 };
 
 // Finds the sub-surfaces of an arrangement.

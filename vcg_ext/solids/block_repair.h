@@ -20,4 +20,10 @@ BlockMeasure measureUnrepaired(const Arrangement& arrangement, Block& block);
 void compareWithUnrepaired(const Arrangement& arrangement, const BlockMeasure& before,
                            Block& block);
 
+// Fills block.repair of a block that was read from operands arranged again (rounding_loop.h).
+// \param exact the same block as the exact arrangement has it, before it is cleaned
+// \param block its sources are named as the arrangement's
+// \return Ok. Throws std::bad_alloc. Complexity: O(n).
+Status compareWithExact(const Arrangement& arrangement, const Block& exact, Block& block);
+
 }  // namespace index_boolean

@@ -178,7 +178,10 @@ TEST(RepairPlaces, movesLittle) {
 			largest = std::max(largest, std::sqrt(square));
 		}
 		EXPECT_LE(largest, 32 * unit * std::sqrt(3)) << pair.name;
-		EXPECT_NEAR(r.arrangement.placeRepair.largestMove, largest, 1e-9 * largest) << pair.name;
+		if (r.arrangement.again == nullptr) {  // else the rounding loop has moved others
+			EXPECT_NEAR(r.arrangement.placeRepair.largestMove, largest, 1e-9 * largest)
+			    << pair.name;
+		}
 	}
 }
 
@@ -345,21 +348,6 @@ TEST(RepairPlaces, operandsAreRoundedFirstWhereThatHelps) {
 	for (const Block& block : r.blocks) {
 		EXPECT_EQ(block.certificate.count(), 0);
 	}
-}
-
-TEST(RepairPlaces, givesUpWhereTooMuchIsWrong) {
-	const Mesh ball = sphere(40, {0, 0, 0}, 1);
-	Mesh turned = ball;
-	for (Point& p : turned.points) {
-		p = {p[0] - 1e-15 * p[1], p[1] + 1e-15 * p[0], p[2]};
-	}
-	const BooleanRun r = run(ball, turned);
-	ASSERT_TRUE(r.status.ok()) << describe(r.status);
-	const PlaceRepair& report = r.arrangement.placeRepair;
-	EXPECT_TRUE(report.isGivenUp);
-	EXPECT_GT(report.concernedAfter, 2000U);
-	EXPECT_EQ(report.trials, 0U);
-	EXPECT_TRUE(r.arrangement.movedPlaces.empty());
 }
 
 TEST(RepairPlaces, isCancelled) {
