@@ -34,6 +34,7 @@ STAGES = (
     "loops",
     "labels",
     "overlap_owners",
+    "rounding_loop",
     "blocks",
     "manifold_copies",
     "merge_fragments",

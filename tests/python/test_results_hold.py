@@ -25,17 +25,8 @@ from run_boolean import BLOCKS, run_boolean
 SCALARS = ("double", "float")
 LONG_PAIRS = {"sphere, turned by 1e-7", "EMBER 908460, 73416"}  # half a minute and more
 
-NEAR = "walls are nearer to each other than doubles are, over many faces"
-CAST = "walls are nearer to each other than floats are, over many faces"
-FIRST, SECOND = "first_minus_second", "second_minus_first"
-UNION, COMMON = "union", "intersection"
-# (case, scalar): the blocks that do not hold, and why. To become empty.
-EXCEPTIONS = {
-    ("contacts/ball, turned by 1e-7", "float"): ((FIRST, SECOND), CAST),
-    ("contacts/ball, turned by 1e-15", "double"): ((UNION, FIRST, SECOND), NEAR),
-    ("pairs/sphere, turned by 1e-7", "double"): ((FIRST, SECOND), NEAR),
-    ("pairs/sphere, turned by 1e-7", "float"): (BLOCKS, CAST),
-}
+# (case, scalar): the blocks that do not hold, and why. Empty, and to stay so.
+EXCEPTIONS = {}
 
 
 def cases():
