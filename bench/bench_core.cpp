@@ -6,7 +6,7 @@
 // the arrangement, the blocks and their audit (or the parts that both are split into), and freeing
 // the arrangement; not reading or placing.
 // Every run starts anew. Exit status: 0 done, 1 refused or unreadable input, 2 usage.
-#include "operands.h"
+#include "soups.h"
 
 #include <vcg_ext/base/huge_pages.h>
 #include <vcg_ext/base/parallel.h>
@@ -50,7 +50,7 @@ struct CommandLine {
 	std::uint32_t cancels = 0;             // how many; 0: not asked
 	std::vector<std::uint32_t> hardSizes;  // per hard input; 0: not asked
 	bool boxes = false, attributes = false, oneOperation = false, sizes = false, certify = false;
-	bool checkSelfIntersections = false;
+	bool checkSelfIntersections = false, resolve = false;
 	std::string placement = "none";
 	std::array<std::vector<double>, 2> transforms;  // 12 or 16 numbers, or none
 	Operation operation = Operation::Union;
@@ -141,14 +141,36 @@ const std::vector<HardInput> kHardInputs{
      [](std::uint32_t count) -> Operands {
 	     return {index_boolean_bench::makePinwheel(count), cubeAt({1, 0, 0}, 0.01)};
      }},
+    {"--stack", "This many prisms in one layer whose bases lie in one plane, and a cube far away",
+     [](std::uint32_t count) -> Operands {
+	     return {index_boolean_bench::makeStack(count), cubeAt({9, 9, 9}, 1)};
+     }},
+    {"--crossed-cones",
+     "Two cones of this many sides and one tip in one layer, and a cube far away",
+     [](std::uint32_t sides) -> Operands {
+	     return {index_boolean_bench::makeCrossedCones(sides), cubeAt({9, 9, 9}, 1)};
+     }},
+    {"--near-copies",
+     "Five spheres of about this many faces in one layer, nearly in one place, and "
+     "a cube far away",
+     [](std::uint32_t faces) -> Operands {
+	     return {index_boolean_bench::makeNearCopies(faces), cubeAt({9, 9, 9}, 1)};
+     }},
+    {"--pencil", "This many wedges in one layer with faces through one axis, and 4 N boxes across",
+     [](std::uint32_t count) -> Operands {
+	     constexpr double kHeight = 64;
+	     return {index_boolean_bench::makePencil(count, kHeight),
+	             index_boolean_bench::makeSlabs(4 * count, kHeight)};
+     }},
 };
 
 // What the core is asked for.
 Options optionsOf(const CommandLine& commandLine) {
 	Options options;
 	options.threads = commandLine.threads;
-	options.selfIntersections =
-	    commandLine.checkSelfIntersections ? SelfIntersections::Refuse : SelfIntersections::Trust;
+	options.selfIntersections = commandLine.resolve                  ? SelfIntersections::Resolve
+	                            : commandLine.checkSelfIntersections ? SelfIntersections::Refuse
+	                                                                 : SelfIntersections::Trust;
 	options.certify = commandLine.certify;
 	return options;
 }
@@ -239,6 +261,7 @@ struct Outcome {
 	double total = 0;
 	double auditSeconds = 0;
 	LoopCounts loops;
+	std::size_t facesCut = 0, segmentsOnFaces = 0, pieces = 0;
 	std::vector<Block> blocks;
 	Audit audit;
 	std::array<std::size_t, 2> subSurfaces{};
@@ -334,6 +357,20 @@ Status copyIn(const Operands& operands, int threads, Monitor& monitor, MeshArray
 	return status;
 }
 
+// Arranges the operands for blocks, or for their parts if there are no operations.
+Status arrangeThem(const Operands& operands, const Options& options, bool forParts,
+                   MeshArrays input, Monitor& monitor, Arrangement& out) {
+	const auto again = [&](MeshArrays& mesh) {
+		return copyIn(operands, options.threads, monitor, mesh);
+	};
+	if (forParts) {
+		return arrangeSurfaces(std::move(input), options, monitor, out);
+	}
+	return options.selfIntersections == SelfIntersections::Resolve
+	           ? arrangeOperands(std::move(input), again, options, monitor, out)
+	           : arrange(std::move(input), options, monitor, out);
+}
+
 // What is read from each arrangement. No operations: the operands are split.
 struct Job {
 	std::vector<Operation> operations;
@@ -351,9 +388,8 @@ Outcome runOnce(const Operands& operands, const Options& options, const Job& job
 	outcome.status = copyIn(operands, options.threads, monitor, input);
 	outcome.stages.emplace_back("copy in", stage.lap());
 	if (outcome.status.ok()) {
-		outcome.status = operations.empty()
-		                     ? arrangeSurfaces(std::move(input), options, monitor, arrangement)
-		                     : arrange(std::move(input), options, monitor, arrangement);
+		outcome.status = arrangeThem(operands, options, operations.empty(), std::move(input),
+		                             monitor, arrangement);
 	}
 	stage.lap();
 	if (outcome.status.ok()) {
@@ -369,6 +405,9 @@ Outcome runOnce(const Operands& operands, const Options& options, const Job& job
 		outcome.stages.emplace_back("attributes", stage.lap());
 	}
 	outcome.loops = arrangement.loopCounts;
+	outcome.facesCut = arrangement.refinement.cutFaces.size();
+	outcome.segmentsOnFaces = arrangement.curve.faceSegments.size();
+	outcome.pieces = arrangement.refinement.pieces.size();
 	arrangement = {};
 	pages.reset();
 	outcome.stages.emplace_back("free", stage.lap());
@@ -470,6 +509,9 @@ Status measure(const CommandLine& commandLine, const Operands& operands,
 		out["loops"] = {{"open", outcome.loops.open},
 		                {"hard_closed", outcome.loops.hardClosed},
 		                {"soft_closed", outcome.loops.softClosed}};
+		out["arrangement"] = {{"faces_cut", outcome.facesCut},
+		                      {"segments_on_faces", outcome.segmentsOnFaces},
+		                      {"pieces", outcome.pieces}};
 		if (operations.empty()) {
 			out["sub_surfaces"] = outcome.subSurfaces;
 			out["sub_blocks"] = outcome.subBlockVolumes.size();
@@ -567,6 +609,8 @@ CommandLine parse(int argc, char** argv) {
 	             "Times also where all attributes of the blocks' elements come from");
 	app.add_flag("--check-self-intersections", out.checkSelfIntersections,
 	             "Times also the search of both operands for faces that meet wrongly");
+	app.add_flag("--resolve", out.resolve,
+	             "Searches both operands, and resolves what meets itself, as hosts do");
 	app.add_option("--threads", out.threads, "0: as many as OpenMP gives")
 	    ->check(CLI::NonNegativeNumber);
 	app.add_option("--runs", out.runs, "Timed runs, of which the median is taken")

@@ -74,6 +74,18 @@ def read_report(text):
     return Measured(min(part["seconds_each_run"]), part["peak_memory_bytes"])
 
 
+def report_of(program, arguments, timeout):
+    """What one process of the benchmark prints, which has to be done in time and without fault."""
+    done = subprocess.run(
+        [program, *arguments], capture_output=True, text=True, timeout=timeout,
+        preexec_fn=limit_memory,
+    )
+    report = json.loads(done.stdout)
+    if report["status"] != "ok":
+        raise RuntimeError(f"{' '.join(arguments)}: {report['status']}")
+    return report
+
+
 def measure(program, arguments, timeout):
     """One process. Its memory is that of the program once it has its operands."""
     process = subprocess.Popen(

@@ -285,6 +285,90 @@ class IndexBooleanFilter(MeshLab):
         return int(result[f"{self.operation}_layer"])
 
 
+class Search(Peer):
+    """How many of the two operands meet themselves. Meshes are built before: timed is the search,
+    with whatever tree it needs."""
+
+    def run(self):
+        return [self.meets_itself(mesh) for mesh in self.meshes]
+
+    def meets_itself(self, mesh):
+        raise NotImplementedError
+
+    def figures(self, result):
+        return {"meeting_themselves": sum(map(bool, result))}
+
+
+class TrueformSearch(Search):
+    """Stops at the first contact; neighbours that fold onto each other are none to it."""
+
+    package = "trueform"
+
+    def __init__(self, *args):
+        super().__init__(*args)
+        import trueform
+
+        self.library = trueform
+        self.operands = self.converted(np.float64, np.int32)
+
+    def prepare(self):
+        self.meshes = [
+            self.library.Mesh(triangles, points) for points, triangles in self.operands
+        ]
+
+    def meets_itself(self, mesh):
+        return self.library.has_self_intersections(mesh)
+
+
+class MeshLibSearch(Search):
+    """In single precision."""
+
+    package = "meshlib"
+
+    def __init__(self, *args):
+        super().__init__(*args)
+        from meshlib import mrmeshnumpy, mrmeshpy
+
+        self.numpy, self.library = mrmeshnumpy, mrmeshpy
+        self.operands = self.converted(np.float64, np.int32)
+
+    def prepare(self):
+        self.meshes = [
+            self.numpy.meshFromFacesVerts(triangles, points) for points, triangles in self.operands
+        ]
+
+    def meets_itself(self, mesh):
+        return len(self.library.findSelfCollidingTriangles(self.library.MeshPart(mesh)))
+
+
+class LibiglSearch(Search):
+    """The search alone, without the cutting."""
+
+    package = "libigl"
+
+    def __init__(self, *args):
+        super().__init__(*args)
+        from igl.copyleft import cgal
+
+        self.library = cgal
+        self.meshes = self.converted(np.float64, np.int64)
+
+    def meets_itself(self, mesh):
+        found = self.library.remesh_self_intersections(*mesh, detect_only=True)
+        return len(found[2])
+
+
+class TrueformWithin(TrueformPeer):
+    """The operands cut at each other and at themselves."""
+
+    def run(self):
+        (triangles, points), *_ = self.library.mesh_arrangements(self.meshes(), within=True)
+        return points, triangles
+
+    def figures(self, result):
+        return {"faces": len(result[1])}
+
+
 PEERS = {
     "trueform": Trueform,
     "trueform_arrangement": TrueformArrangement,
@@ -296,6 +380,10 @@ PEERS = {
     "VTK": Vtk,
     "MeshLab": MeshLab,
     "filter": IndexBooleanFilter,
+    "trueform_search": TrueformSearch,
+    "MeshLib_search": MeshLibSearch,
+    "libigl_search": LibiglSearch,
+    "trueform_within": TrueformWithin,
 }
 
 
@@ -347,7 +435,7 @@ def main():
     parser.add_argument("peer", choices=PEERS)
     parser.add_argument("arrays", type=Path)
     parser.add_argument(
-        "operation", choices=["union", "intersection", "first_minus_second", "split"]
+        "operation", choices=["union", "intersection", "first_minus_second", "split", "search"]
     )
     parser.add_argument("--runs", type=int, default=5, help="timed runs after a warm-up")
     parser.add_argument(

@@ -2,15 +2,19 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What it costs that layers may meet themselves: searching clean pairs, and resolving a layer.
 
-in: the installed package, libigl as the tests have it, the folder that INDEXBOOLEAN_MESHES names;
-out: two Markdown tables of median milliseconds, with ratios. All systems take turns.
+in: the installed package, libigl as the tests have it, the folder that INDEXBOOLEAN_MESHES names,
+and, for its columns, an interpreter that has the peers of requirements.txt; out: Markdown tables of
+median milliseconds, with ratios. All systems take turns.
 """
 
 import argparse
+import json
 import os
 import pathlib
 import statistics
+import subprocess
 import sys
+import tempfile
 import time
 
 import igl.copyleft.cgal
@@ -19,7 +23,8 @@ import pymeshlab
 
 import indexboolean
 
-ROOT = pathlib.Path(__file__).resolve().parents[1]
+HERE = pathlib.Path(__file__).resolve().parent
+ROOT = HERE.parent
 sys.path.append(str(ROOT / "tests/python"))
 
 import mesh_laws  # noqa: E402
@@ -67,6 +72,49 @@ def core_seconds(first, second, self_intersections):
     return result["seconds_core"], result
 
 
+def save_arrays(folder, operands):
+    """As peers.py reads them."""
+    for number, (points, triangles) in enumerate(operands):
+        np.asarray(points, np.float64).tofile(folder / f"points_{number}.f64")
+        np.asarray(triangles, np.uint32).tofile(folder / f"triangles_{number}.u32")
+
+
+def peer_seconds(python, peer, folder, operation):
+    """(One run of a peer after a warm-up, in a process of its own; its figures.)"""
+    done = subprocess.run(
+        [python, HERE / "peers.py", peer, folder, operation, "--runs", "1"],
+        capture_output=True, text=True,
+    )
+    lines = [json.loads(line) for line in done.stdout.splitlines()]
+    if done.returncode != 0:
+        raise SystemExit(f"resolve.py: {peer}: {lines[-1] if lines else done.stderr}")
+    return lines[1]["seconds"], lines[-1]
+
+
+def print_searches(runs, python):
+    """The search alone, beside those of libraries, whose meshes are built before."""
+    print("| clean pair | here | trueform | MeshLib | libigl | the fastest of them / here |\n"
+          "|---|---|---|---|---|---|")
+    peers = ("trueform_search", "MeshLib_search", "libigl_search")
+    for name, pair in clean_pairs():
+        times = {peer: [] for peer in ("here", *peers)}
+        with tempfile.TemporaryDirectory() as folder:
+            save_arrays(pathlib.Path(folder), pair)
+            for _ in range(runs):
+                result = core_seconds(*pair, "resolve")[1]
+                times["here"].append(result["seconds_self_intersections"])
+                for peer in peers:
+                    seconds, figures = peer_seconds(python, peer, folder, "search")
+                    times[peer].append(seconds)
+                    if figures["meeting_themselves"]:
+                        print(f"{peer} finds that an operand of {name} meets itself")
+        medians = {peer: 1e3 * statistics.median(seconds) for peer, seconds in times.items()}
+        fastest = min(medians[peer] for peer in peers)
+        print("| " + " | ".join([name, *(f"{ms:.1f} ms" for ms in medians.values()),
+                                 f"{fastest / medians['here']:.1f}"]) + " |")
+    print()
+
+
 def print_search(runs):
     print("| clean pair | faces | not searched | searched | ratio |\n|---|---|---|---|---|")
     for name, (first, second) in clean_pairs():
@@ -79,13 +127,18 @@ def print_search(runs):
               f"{resolve / trust:.2f} |")
 
 
-def print_resolve(runs):
-    """A layer of two copies that overlap, united with nothing; libigl resolves by its union."""
+def print_resolve(runs, python):
+    """A layer of two copies that overlap, united with nothing; libigl resolves by its union,
+    trueform cuts it at itself."""
     copy = load("armadillo.obj")
     layer = joined(copy, beside(copy, (0.1, 0.07, 0.05)))
     far = beside(copy, 9)
-    ours, libigl = [], []
+    ours, libigl, trueform = [], [], []
     for _ in range(runs):
+        if python:
+            with tempfile.TemporaryDirectory() as folder:
+                save_arrays(pathlib.Path(folder), (layer, far))
+                trueform.append(peer_seconds(python, "trueform_within", folder, "split")[0])
         seconds, result = core_seconds(layer, far, "resolve")
         ours.append(seconds)
         start = time.perf_counter()
@@ -97,19 +150,24 @@ def print_resolve(runs):
     alone = result["union_volume"] - mesh_laws.volume(*far)
     off = abs(alone / mesh_laws.volume(points, faces) - 1)
     print("\n| layer that meets itself | faces | here, with a far layer | libigl | ratio | volumes "
-          "differ by |\n|---|---|---|---|---|---|")
+          "differ by | trueform, cut only | ratio |\n|---|---|---|---|---|---|---|---|")
     here, there = statistics.median(ours), statistics.median(libigl)
+    cut = statistics.median(trueform) if trueform else None
     print(f"| two armadillos | {len(layer[1])} | {1e3 * here:.0f} ms | {1e3 * there:.0f} ms | "
-          f"{there / here:.1f} | {off:.0e} |")
+          f"{there / here:.1f} | {off:.0e} | "
+          + (f"{1e3 * cut:.0f} ms | {cut / here:.1f} |" if cut else " | |"))
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--runs", type=int, default=7)
+    parser.add_argument("--peers", default="", help="a Python with requirements.txt installed")
     args = parser.parse_args()
     indexboolean.load_plugin()
+    if args.peers:
+        print_searches(args.runs, args.peers)
     print_search(args.runs)
-    print_resolve(min(args.runs, 3))
+    print_resolve(min(args.runs, 3), args.peers)
 
 
 if __name__ == "__main__":

@@ -219,11 +219,18 @@ class TestAssemblies:
         rng = np.random.default_rng(100 + seed)
         first, second, third = (joined(*assembly(rng, 4)) for _ in range(3))
         union = run_boolean(*first, *second)["union"]
-        chained = run_boolean(*union, *third)["result"]
-        at_once = volumes_of(joined(first, second), third)
+        chained = run_boolean(*union, *third)
+        at_once = run_boolean(*joined(first, second), *third)
         for block in BLOCKS:
-            assert chained[f"{block}_volume"] == pytest.approx(at_once[block], rel=1e-9)
-        assert not chained["self_intersecting_faces_first"]
+            assert chained["result"][f"{block}_volume"] == pytest.approx(
+                at_once["result"][f"{block}_volume"], rel=1e-9
+            )
+            parts = [
+                mesh_laws.component_count(made[block][1], len(made[block][0]))
+                for made in (chained, at_once)
+            ]
+            assert parts[0] == parts[1]
+        assert not chained["result"]["self_intersecting_faces_first"]
 
     def test_anyOrderOfPartsGivesTheSameVolume(self):
         rng = np.random.default_rng(7)

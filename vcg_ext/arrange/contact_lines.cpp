@@ -7,6 +7,7 @@
 
 #include "vcg_ext/arrange/places.h"
 #include "vcg_ext/arrange/soup_contacts.h"
+#include "vcg_ext/base/parallel.h"
 
 namespace index_boolean {
 
@@ -24,15 +25,17 @@ bool lexicographicallyBefore(const ExactPoint& a, const ExactPoint& b) {
 // Where points lie along the cut edges. Borrows the curve.
 class EdgePlaces {
 public:
-	// \param isNeeded else nothing is listed. O(k log k) for k points on edges.
+	// \param isNeeded else nothing is listed. O(k log m) for k points on edges, m on one.
 	EdgePlaces(const Curve& curve, bool isNeeded) : curve_(curve) {
-		for (std::uint32_t e = 0; e < curve.cutEdges.size() && isNeeded; ++e) {
+		places_.resize(isNeeded ? curve.pointsOnEdges.size() : 0);
+		for (std::size_t e = 0; e < curve.cutEdges.size() && isNeeded; ++e) {
 			const CutEdge& edge = curve.cutEdges[e];
+			Place* const first = places_.data() + edge.first;
 			for (std::uint32_t i = 0; i < edge.count; ++i) {
-				places_.push_back({e, curve.pointsOnEdges[edge.first + i], i + 1});
+				first[i] = {curve.pointsOnEdges[edge.first + i], i + 1};
 			}
+			std::sort(first, first + edge.count);
 		}
-		std::sort(places_.begin(), places_.end());
 	}
 
 	// Calls visit(begin, end) for each interval of an edge between two of its points, in order from
@@ -54,21 +57,18 @@ public:
 
 private:
 	struct Place {
-		std::uint32_t edge;
 		VertexId point;
 		std::uint32_t place;  // from 1 on; the edge's low end is at 0
 
-		friend bool operator<(const Place& a, const Place& b) {
-			return a.edge != b.edge ? a.edge < b.edge : a.point < b.point;
-		}
+		friend bool operator<(const Place& a, const Place& b) { return a.point < b.point; }
 	};
 
 	std::uint32_t placeOf(const CutEdge& edge, VertexId point) const {
 		if (point == edge.low || point == edge.high) {
 			return point == edge.low ? 0 : edge.count + 1;
 		}
-		const auto number = static_cast<std::uint32_t>(&edge - curve_.cutEdges.data());
-		return std::lower_bound(places_.begin(), places_.end(), Place{number, point, 0})->place;
+		const Place* const first = places_.data() + edge.first;
+		return std::lower_bound(first, first + edge.count, Place{point, 0})->place;
 	}
 	VertexId pointAt(const CutEdge& edge, std::uint32_t place) const {
 		return place == 0                ? edge.low
@@ -77,7 +77,7 @@ private:
 	}
 
 	const Curve& curve_;
-	std::vector<Place> places_;
+	std::vector<Place> places_;  // of each edge's points, as the curve has them; by point
 };
 
 // Collects what contacts ask for.
@@ -91,7 +91,7 @@ public:
 	      edges_(arrangement.curve, arrangement.isSoup), lines_(lines),
 	      faceVertices_(faceVertices) {}
 
-	void collect();
+	Status collect(Monitor& monitor);
 
 private:
 	// A corner of an overlap, by the slot of its name.
@@ -211,26 +211,31 @@ void LineCollector::addVertices(const NamedContact& contact) {
 	}
 }
 
-void LineCollector::collect() {
-	for (std::uint32_t i = 0; i < contacts_.pairs.size(); ++i) {
-		const NamedContact& c = contacts_.pairs[i];
-		addVertices(c);
-		if (c.count == 2) {
-			addSide(i, c.first, c.first + 1);
-		} else if (c.count > 2) {
-			addOverlap(i);
-		}
-	}
+Status LineCollector::collect(Monitor& monitor) {
+	constexpr std::size_t kGrain = 1024;
+	return inOrderFor(contacts_.pairs.size(), kGrain, monitor,
+	                  [&](std::size_t begin, std::size_t end) {
+		                  for (std::size_t k = begin; k < end; ++k) {
+			                  const NamedContact& c = contacts_.pairs[k];
+			                  const auto contact = static_cast<std::uint32_t>(k);
+			                  addVertices(c);
+			                  if (c.count == 2) {
+				                  addSide(contact, c.first, c.first + 1);
+			                  } else if (c.count > 2) {
+				                  addOverlap(contact);
+			                  }
+		                  }
+	                  });
 }
 
 }  // namespace
 
-void collectContactLines(const Arrangement& arrangement, const Contacts& contacts,
-                         const std::vector<VertexId>& vertexOfName, std::vector<ContactLine>& lines,
-                         std::vector<FaceVertex>& faceVertices) {
+Status collectContactLines(const Arrangement& arrangement, const Contacts& contacts,
+                           const std::vector<VertexId>& vertexOfName, Monitor& monitor,
+                           std::vector<ContactLine>& lines, std::vector<FaceVertex>& faceVertices) {
 	lines.clear();
 	faceVertices.clear();
-	LineCollector(arrangement, contacts, vertexOfName, lines, faceVertices).collect();
+	return LineCollector(arrangement, contacts, vertexOfName, lines, faceVertices).collect(monitor);
 }
 
 }  // namespace index_boolean

@@ -37,10 +37,11 @@ inline bool isQuietEdge(const MeshArrays& mesh, VertexId a, VertexId b) {
 // \param vertexOfName  per name in the contacts
 // \param lines         replaced; the same line once for each contact that asks for it
 // \param faceVertices  replaced
-// \pre arrangement.curve has its cut edges, with their points in order. Throws std::bad_alloc.
+// \pre arrangement.curve has its cut edges, with their points in order
+// \return Ok or Cancelled. Throws std::bad_alloc.
 // Complexity: O(c log c) for c contacts and points.
-void collectContactLines(const Arrangement& arrangement, const Contacts& contacts,
-                         const std::vector<VertexId>& vertexOfName, std::vector<ContactLine>& lines,
-                         std::vector<FaceVertex>& faceVertices);
+Status collectContactLines(const Arrangement& arrangement, const Contacts& contacts,
+                           const std::vector<VertexId>& vertexOfName, Monitor& monitor,
+                           std::vector<ContactLine>& lines, std::vector<FaceVertex>& faceVertices);
 
 }  // namespace index_boolean

@@ -10,6 +10,7 @@
 #include "vcg_ext/arrange/numbered_sort.h"
 #include "vcg_ext/arrange/places.h"
 #include "vcg_ext/arrange/self_intersecting.h"
+#include "vcg_ext/base/edge_table.h"
 #include "vcg_ext/base/groups.h"
 #include "vcg_ext/base/parallel.h"
 
@@ -25,34 +26,20 @@ namespace {
 // ---- points on edges
 
 // A point on an edge of an operand; none() stands for an edge that is there for its ends alone.
-struct EdgePoint {
-	VertexId low, high;
-	VertexId point;
-
-	bool hasEdgeOf(const EdgePoint& other) const { return low == other.low && high == other.high; }
-
-	friend bool operator<(const EdgePoint& a, const EdgePoint& b) {
-		return a.low != b.low     ? a.low < b.low
-		       : a.high != b.high ? a.high < b.high
-		                          : a.point < b.point;
-	}
-	friend bool operator==(const EdgePoint& a, const EdgePoint& b) {
-		return a.hasEdgeOf(b) && a.point == b.point;
-	}
-};
+using EdgePoint = EdgeItem<VertexId>;
 
 // A point on the edges that one of its names tells.
 void appendPoint(const PointName& name, VertexId point, std::vector<EdgePoint>& out) {
 	const auto& ids = name.ids;
 	switch (name.kind) {
 	case PointKind::OnEdge:
-		out.push_back({VertexId{ids[1]}, VertexId{ids[2]}, point});
+		out.push_back({ids[1], ids[2], point});
 		break;
 	case PointKind::EdgeEdge:
-		out.push_back({VertexId{ids[2]}, VertexId{ids[3]}, point});
+		out.push_back({ids[2], ids[3], point});
 		[[fallthrough]];
 	case PointKind::EdgeFace:
-		out.push_back({VertexId{ids[0]}, VertexId{ids[1]}, point});
+		out.push_back({ids[0], ids[1], point});
 		break;
 	case PointKind::Vertex:
 	case PointKind::FaceFaceFace:
@@ -80,10 +67,10 @@ void appendEdgesOnOther(const Arrangement& arrangement, std::vector<EdgePoint>& 
 	for (const FaceId face : arrangement.curve.touchedFaces) {
 		const Triangle& t = at(arrangement.mesh.triangles, face);
 		for (std::size_t i = 0; i < 3; ++i) {
-			const auto [low, high] = std::minmax(t[i], t[(i + 1) % 3]);
-			if (arrangement.isOnOther(low) && arrangement.isOnOther(high) &&
-			    !isQuietEdge(arrangement.mesh, low, high)) {
-				out.push_back({low, high, VertexId::none()});
+			const VertexId from = t[i], to = t[(i + 1) % 3];
+			if (arrangement.isOnOther(from) && arrangement.isOnOther(to) &&
+			    !isQuietEdge(arrangement.mesh, from, to)) {
+				out.push_back(makeEdgeItem(from.value, to.value, VertexId::none()));
 			}
 		}
 	}
@@ -94,10 +81,16 @@ Status collectEdgePoints(const Arrangement& arrangement, const Contacts& contact
                          std::vector<EdgePoint>& out) {
 	appendPoints(arrangement, contacts, vertexOfName, out);
 	appendEdgesOnOther(arrangement, out);
-	const auto keyOf = [](const EdgePoint& e) { return e.low.value; };
-	const Status status = sortNumbered(out, arrangement.mesh.points.size(), keyOf,
-	                                   std::less<EdgePoint>(), arrangement.options, monitor);
-	out.erase(std::unique(out.begin(), out.end()), out.end());
+	const auto isSame = [](const EdgePoint& a, const EdgePoint& b) {
+		return a.sameEdge(b) && a.item == b.item;
+	};
+	const Status status =
+	    inOrder([&] { return checkCounts(out.size(), 0, arrangement.options.mostElements); },
+	            [&] {
+		            return sortByEdge(out, arrangement.mesh.points.size(),
+		                              arrangement.options.threads, monitor);
+	            });
+	out.erase(std::unique(out.begin(), out.end(), isSame), out.end());
 	return status;
 }
 
@@ -106,15 +99,14 @@ Status collectEdgePoints(const Arrangement& arrangement, const Contacts& contact
 Status collectCutEdges(const std::vector<EdgePoint>& edgePoints, Arrangement& arrangement) {
 	Curve& curve = arrangement.curve;
 	for (const EdgePoint& e : edgePoints) {
-		const bool isNewEdge = curve.cutEdges.empty() || curve.cutEdges.back().low != e.low ||
-		                       curve.cutEdges.back().high != e.high;
-		if (isNewEdge) {
+		const CutEdge* const last = curve.cutEdges.empty() ? nullptr : &curve.cutEdges.back();
+		if (last == nullptr || last->low.value != e.low || last->high.value != e.high) {
 			const auto first = static_cast<std::uint32_t>(curve.pointsOnEdges.size());
 			const auto firstInterval = static_cast<std::uint32_t>(curve.intervalCount());
-			curve.cutEdges.push_back({e.low, e.high, first, 0, firstInterval});
+			curve.cutEdges.push_back({{e.low}, {e.high}, first, 0, firstInterval});
 		}
-		if (e.point != VertexId::none()) {
-			curve.pointsOnEdges.push_back(e.point);
+		if (e.item != VertexId::none()) {
+			curve.pointsOnEdges.push_back(e.item);
 			++curve.cutEdges.back().count;
 		}
 	}
@@ -206,15 +198,20 @@ Status sortPointsOnEdges(Arrangement& arrangement, const Contacts& contacts, Mon
 // ---- segments
 
 // Each vertex once in each face.
-void takeFaceVertices(std::vector<FaceVertex>& collected, Curve& curve) {
-	std::sort(collected.begin(), collected.end(), [](const FaceVertex& a, const FaceVertex& b) {
+Status takeFaceVertices(std::vector<FaceVertex>& collected, Monitor& monitor,
+                        Arrangement& arrangement) {
+	const auto keyOf = [](const FaceVertex& v) { return v.face.value; };
+	const auto before = [](const FaceVertex& a, const FaceVertex& b) {
 		return a.face != b.face ? a.face < b.face : a.vertex < b.vertex;
-	});
+	};
+	const Status status = sortNumbered(collected, arrangement.mesh.triangles.size(), keyOf, before,
+	                                   arrangement.options, monitor);
 	const auto end = std::unique(collected.begin(), collected.end(),
 	                             [](const FaceVertex& a, const FaceVertex& b) {
 		                             return a.face == b.face && a.vertex == b.vertex;
 	                             });
-	curve.faceVertices.assign(collected.begin(), end);
+	arrangement.curve.faceVertices.assign(collected.begin(), end);
+	return status;
 }
 
 // \param lines replaced; sorted
@@ -222,12 +219,18 @@ Status collectLines(Arrangement& arrangement, const Contacts& contacts,
                     const std::vector<VertexId>& vertexOfName, Monitor& monitor,
                     std::vector<ContactLine>& lines) {
 	std::vector<FaceVertex> faceVertices;
-	collectContactLines(arrangement, contacts, vertexOfName, lines, faceVertices);
-	takeFaceVertices(faceVertices, arrangement.curve);
 	const std::size_t vertexCount = arrangement.mesh.points.size() + arrangement.curve.pointCount();
 	const auto keyOf = [](const ContactLine& line) { return line.key().first.value; };
-	return sortNumbered(lines, vertexCount, keyOf, std::less<ContactLine>(), arrangement.options,
-	                    monitor);
+	return inOrder(
+	    [&] {
+		    return collectContactLines(arrangement, contacts, vertexOfName, monitor, lines,
+		                               faceVertices);
+	    },
+	    [&] { return takeFaceVertices(faceVertices, monitor, arrangement); },
+	    [&] {
+		    return sortNumbered(lines, vertexCount, keyOf, std::less<ContactLine>(),
+		                        arrangement.options, monitor);
+	    });
 }
 
 // Lines between the same two points are one segment, which all their faces have. It is a crossing

@@ -18,6 +18,8 @@ namespace index_boolean {
 
 namespace {
 
+constexpr std::size_t kGrain = 1 << 15;  // faces between polls
+
 using SuspectFace = KeyedFace<VertexId>;
 
 // The bits that faces have set, by the mean number of their vertices: neighbouring faces use words
@@ -80,23 +82,36 @@ std::vector<SuspectFace> suspects(const MeshArrays& mesh, OperandId operand, Mon
 	                    end = mesh.faceOffsets.end(operand);
 	FaceFilter filter(end - begin);
 	std::vector<std::uint32_t> repeated;
-	for (std::uint32_t face = begin; face < end; ++face) {
+	std::vector<SuspectFace> result;
+	// \return false if the run is cancelled
+	const auto forEachFace = [&](auto&& look) {
+		for (std::uint32_t face = begin; face < end; ++face) {
+			if ((face - begin) % kGrain == 0 && pollCancelled(monitor)) {
+				return false;
+			}
+			look(face);
+		}
+		return true;
+	};
+	const bool isSeen = forEachFace([&](std::uint32_t face) {
 		if (filter.add(mesh.triangles[face])) {
 			repeated.push_back(face);
 		}
-	}
-	std::vector<SuspectFace> result;
-	if (repeated.empty() || pollCancelled(monitor)) {
+	});
+	if (repeated.empty() || !isSeen) {
 		return result;
 	}
 	filter.clear();
 	for (const std::uint32_t face : repeated) {
 		filter.add(mesh.triangles[face]);
 	}
-	for (std::uint32_t face = begin; face < end; ++face) {
+	const bool isDone = forEachFace([&](std::uint32_t face) {
 		if (filter.has(mesh.triangles[face])) {
 			result.push_back({faceKeyOf(mesh.triangles[face]), face});
 		}
+	});
+	if (!isDone) {
+		return result;
 	}
 	std::sort(result.begin(), result.end(), [](const SuspectFace& p, const SuspectFace& q) {
 		return p.key != q.key ? p.key < q.key : p.face < q.face;

@@ -4,11 +4,13 @@
 // Sorting by rounded coordinates brings together what may be equal.
 #include "vcg_ext/arrange/equal_points.h"
 
+#include "vcg_ext/arrange/numbered_sort.h"
 #include "vcg_ext/arrange/places.h"
 #include "vcg_ext/base/groups.h"
 #include "vcg_ext/base/parallel.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace index_boolean {
 
@@ -19,9 +21,8 @@ struct PlacedPoint {
 	VertexId point;
 };
 
-// All points that may have another in their place, in the order of rounded coordinates; of equal
-// ones, of their numbers: input vertices first, then smaller names.
-std::vector<PlacedPoint> sortedPoints(const Arrangement& arrangement) {
+// All points that may have another in their place, in no order.
+std::vector<PlacedPoint> placedPoints(const Arrangement& arrangement) {
 	const Curve& curve = arrangement.curve;
 	std::vector<PlacedPoint> all;
 	for (std::uint32_t v = 0; v < curve.onOther.size(); ++v) {
@@ -32,10 +33,27 @@ std::vector<PlacedPoint> sortedPoints(const Arrangement& arrangement) {
 	for (std::uint32_t p = 0; p < curve.pointCount(); ++p) {
 		all.push_back({curve.rounded[p], arrangement.vertexOf({p})});
 	}
-	std::sort(all.begin(), all.end(), [](const PlacedPoint& a, const PlacedPoint& b) {
-		return a.place != b.place ? a.place < b.place : a.point < b.point;
-	});
 	return all;
+}
+
+// Sorts by rounded coordinates; points with equal ones by their numbers: input vertices first, then
+// smaller names.
+Status sortByPlace(std::vector<PlacedPoint>& all, const Options& options, Monitor& monitor) {
+	double low = HUGE_VAL, high = -HUGE_VAL;
+	for (const PlacedPoint& p : all) {
+		low = std::min(low, p.place[0]);
+		high = std::max(high, p.place[0]);
+	}
+	// Rounding is monotone, and so this is; halves, since a difference of numbers may be none.
+	const double span = high / 2 - low / 2, count = static_cast<double>(all.size());
+	const auto keyOf = [=](const PlacedPoint& p) {
+		const double along = span > 0 ? (p.place[0] / 2 - low / 2) / span * count : 0;
+		return static_cast<std::size_t>(std::min(along, count - 1));
+	};
+	const auto before = [](const PlacedPoint& a, const PlacedPoint& b) {
+		return a.place != b.place ? a.place < b.place : a.point < b.point;
+	};
+	return sortNumbered(all, all.size(), keyOf, before, options, monitor);
 }
 
 // Enters for each of some points with equal rounded coordinates the first one in its place.
@@ -80,7 +98,11 @@ std::vector<VertexId> renumber(Arrangement& arrangement, const std::vector<Verte
 
 Status mergeEqualPoints(Arrangement& arrangement, Monitor& monitor, Contacts& contacts,
                         std::vector<VertexId>& vertexOfName) {
-	const std::vector<PlacedPoint> all = sortedPoints(arrangement);
+	std::vector<PlacedPoint> all = placedPoints(arrangement);
+	Status status = sortByPlace(all, arrangement.options, monitor);
+	if (!status.ok()) {
+		return status;
+	}
 	std::vector<VertexId> firstOf;
 	for (std::uint32_t p = 0; p < arrangement.curve.pointCount(); ++p) {
 		firstOf.push_back(arrangement.vertexOf({p}));
@@ -106,16 +128,18 @@ Status mergeEqualPoints(Arrangement& arrangement, Monitor& monitor, Contacts& co
 	for (InnerPoint& inner : contacts.inner) {
 		update(inner.point);
 	}
-	std::sort(contacts.inner.begin(), contacts.inner.end(),
-	          [](const InnerPoint& a, const InnerPoint& b) {
-		          return a.contact != b.contact ? a.contact < b.contact : a.point < b.point;
-	          });
+	const auto before = [](const InnerPoint& a, const InnerPoint& b) {
+		return a.contact != b.contact ? a.contact < b.contact : a.point < b.point;
+	};
+	const auto contactOf = [](const InnerPoint& p) { return p.contact; };
+	status = sortNumbered(contacts.inner, contacts.pairs.size(), contactOf, before,
+	                      arrangement.options, monitor);
 	const auto isSame = [](const InnerPoint& a, const InnerPoint& b) {
 		return a.contact == b.contact && a.point == b.point;
 	};
 	contacts.inner.erase(std::unique(contacts.inner.begin(), contacts.inner.end(), isSame),
 	                     contacts.inner.end());
-	return isCancelled ? statusOf(StatusCode::Cancelled) : Status{};
+	return isCancelled ? statusOf(StatusCode::Cancelled) : status;
 }
 
 }  // namespace index_boolean

@@ -19,6 +19,7 @@
 #include "vcg_ext/mesh/unmatched_edges.h"
 
 #include <algorithm>
+#include <atomic>
 #include <limits>
 
 namespace index_boolean {
@@ -533,54 +534,100 @@ Status weldOperands(Arrangement& arrangement, Monitor& monitor, CornerWelder& we
 	               [&] { return facts.anyEqual ? dropCollapsedFaces(arrangement) : Status{}; });
 }
 
+// Ok if the output scalar can hold the places of all corners.
+Status checkPlaces(const Arrangement& arrangement, Monitor& monitor) {
+	const MeshArrays& mesh = arrangement.mesh;
+	const double most = largestCoordinate(arrangement.options.outputScalar);
+	const auto isFine = [&](VertexId v) { return isWithin(at(mesh.points, v), most); };
+	std::atomic<bool> areFine{true};
+	const auto look = [&](std::size_t begin, std::size_t end) {
+		for (std::size_t f = begin; f < end; ++f) {
+			const Triangle& t = mesh.triangles[f];
+			if (!isFine(t[0]) || !isFine(t[1]) || !isFine(t[2])) {
+				areFine = false;
+			}
+		}
+	};
+	return inOrder(
+	    [&] {
+		    return parallelFor(mesh.triangles.size(), kGrain, arrangement.options.threads, monitor,
+		                       look);
+	    },
+	    [&] { return areFine ? Status{} : refuseCorners(arrangement, StatusCode::NotFinite); });
+}
+
 // Checks the arrays of a soup, welds each operand's vertices and drops faces with equal corners.
 Status weldSoup(Arrangement& arrangement, Monitor& monitor) {
 	MeshArrays& mesh = arrangement.mesh;
 	CornerFacts facts;
-	const auto checkPlaces = [&] {
-		const double most = largestCoordinate(arrangement.options.outputScalar);
-		const auto isFine = [&](VertexId v) { return isWithin(at(mesh.points, v), most); };
-		const bool areFine =
-		    std::all_of(mesh.triangles.begin(), mesh.triangles.end(), [&](const Triangle& t) {
-			    return isFine(t[0]) && isFine(t[1]) && isFine(t[2]);
-		    });
-		return areFine ? Status{} : refuseCorners(arrangement, StatusCode::NotFinite);
-	};
 	return inOrder([&] { return checkSizes(mesh, arrangement.options.mostElements); },
 	               [&] { return lookAtCorners(arrangement, monitor, facts); },
 	               [&] {
 		               return facts.allExist
-		                          ? checkPlaces()
+		                          ? checkPlaces(arrangement, monitor)
 		                          : refuseCorners(arrangement, StatusCode::IndexOutOfRange);
 	               },
-	               [&] {
-		               weldEachOperand(mesh, arrangement.seams);
-		               return lookAtCorners(arrangement, monitor, facts);
-	               },
+	               [&] { return weldEachOperand(mesh, monitor, arrangement.seams); },
+	               [&] { return lookAtCorners(arrangement, monitor, facts); },
 	               [&] { return facts.anyEqual ? dropCollapsedFaces(arrangement) : Status{}; });
 }
 
-// The vertices of a welded soup that several operands have, or whose faces are not one umbrella.
-void findSoupNonManifold(Arrangement& arrangement) {
+// Lists the vertices of a welded soup whose faces are not one umbrella.
+// A part of the vertices looks at all faces: it is to be large, but not to take long.
+Status findUmbrellas(Arrangement& arrangement, Monitor& monitor) {
+	constexpr std::size_t kFacesOfPart = 1 << 20;
 	const MeshArrays& mesh = arrangement.mesh;
-	const auto vertexCount = static_cast<std::uint32_t>(mesh.points.size());
-	std::vector<VertexId>& all = arrangement.nonManifold;
+	const std::size_t faceCount = mesh.triangles.size(), vertexCount = mesh.points.size();
+	const int threads = threadsForHalves(faceCount, arrangement.options.threads);
+	const std::size_t parts =
+	    faceCount < kGrain ? 1 : std::max<std::size_t>(2, faceCount / kFacesOfPart);
+	const std::size_t grain = vertexCount / parts + 1;
+	std::vector<std::vector<VertexId>> found(chunkCount(vertexCount, grain));
 	const Triangle* const faces = mesh.triangles.data();
-	findNonManifoldVertices(faces, faces + mesh.triangles.size(), {0, vertexCount}, all);
-	std::vector<OperandId> owner(vertexCount, OperandId::none());
-	for (const OperandId operand : mesh.operands()) {
-		for (std::uint32_t f = mesh.faceOffsets.begin(operand); f < mesh.faceOffsets.end(operand);
-		     ++f) {
-			for (const VertexId v : faces[f]) {
-				if (at(owner, v) != OperandId::none() && at(owner, v) != operand) {
-					all.push_back(v);
-				}
-				at(owner, v) = operand;
-			}
-		}
+	const Status status =
+	    parallelForChunks(vertexCount, grain, threads, monitor,
+	                      [&](std::size_t part, std::size_t begin, std::size_t end) {
+		                      const VertexRange range{static_cast<std::uint32_t>(begin),
+		                                              static_cast<std::uint32_t>(end)};
+		                      findNonManifoldVertices(faces, faces + faceCount, range, found[part]);
+	                      });
+	for (const std::vector<VertexId>& part : found) {
+		arrangement.nonManifold.insert(arrangement.nonManifold.end(), part.begin(), part.end());
 	}
-	std::sort(all.begin(), all.end());
-	all.erase(std::unique(all.begin(), all.end()), all.end());
+	return status;
+}
+
+// Lists the vertices that several operands have.
+Status findShared(Arrangement& arrangement, Monitor& monitor) {
+	const MeshArrays& mesh = arrangement.mesh;
+	std::vector<OperandId> owner(mesh.points.size(), OperandId::none());
+	return forEachOperand(mesh.operands(), [&](OperandId operand) {
+		const std::size_t first = mesh.faceOffsets.begin(operand);
+		return inOrderFor(mesh.faceOffsets.size(operand), kGrain, monitor,
+		                  [&](std::size_t begin, std::size_t end) {
+			                  for (std::size_t f = first + begin; f < first + end; ++f) {
+				                  for (const VertexId v : mesh.triangles[f]) {
+					                  if (at(owner, v) != OperandId::none() &&
+					                      at(owner, v) != operand) {
+						                  arrangement.nonManifold.push_back(v);
+					                  }
+					                  at(owner, v) = operand;
+				                  }
+			                  }
+		                  });
+	});
+}
+
+// The vertices of a welded soup that several operands have, or whose faces are not one umbrella.
+Status findSoupNonManifold(Arrangement& arrangement, Monitor& monitor) {
+	return inOrder([&] { return findUmbrellas(arrangement, monitor); },
+	               [&] { return findShared(arrangement, monitor); },
+	               [&] {
+		               std::vector<VertexId>& all = arrangement.nonManifold;
+		               std::sort(all.begin(), all.end());
+		               all.erase(std::unique(all.begin(), all.end()), all.end());
+		               return Status{};
+	               });
 }
 
 // Makes room for what is known of each operand.
@@ -651,16 +698,12 @@ Status prepareSoup(Arrangement& arrangement, Monitor& monitor) {
 	return inOrder([&] { return weldSoup(arrangement, monitor); },
 	               [&] { return lookAtFaces(arrangement, monitor, seen); },
 	               [&] { return cleanZeroAreaFaces(arrangement, monitor, seen, cleaned); },
-	               [&] {
-		               weldOperandsTogether(arrangement.mesh);
-		               return findClosed(arrangement, monitor);
-	               },
+	               [&] { return weldOperandsTogether(arrangement.mesh, monitor); },
+	               [&] { return findClosed(arrangement, monitor); },
 	               [&] { return takeRepeatedFacesOnce(arrangement, monitor); },
 	               [&] { return turnFacesAlike(arrangement, monitor); },
-	               [&] {
-		               findSoupNonManifold(arrangement);
-		               return lookAtFaces(arrangement, monitor, seen);
-	               },
+	               [&] { return findSoupNonManifold(arrangement, monitor); },
+	               [&] { return lookAtFaces(arrangement, monitor, seen); },
 	               [&] {
 		               for (const OperandId operand : arrangement.mesh.operands()) {
 			               arrangement.volume[operand] = seen[operand].sixVolumes.value / 6;

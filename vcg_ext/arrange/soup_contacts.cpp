@@ -7,6 +7,7 @@
 
 #include "vcg_ext/arrange/wrong_pairs.h"
 #include "vcg_ext/base/edge_table.h"
+#include "vcg_ext/base/parallel.h"
 
 #include <algorithm>
 
@@ -47,25 +48,28 @@ void countSelfIntersecting(const std::vector<FacePair>& pairs, Arrangement& arra
 // A face at an edge.
 using EdgeFace = EdgeItem<FaceId>;
 
-// The edges between vertices that are shared by operands or not regular otherwise, with their
+// Lists the edges between vertices that are shared by operands or not regular otherwise, with their
 // faces.
-std::vector<EdgeFace> edgesBetweenShared(const Arrangement& arrangement) {
+Status listEdgesBetweenShared(const Arrangement& arrangement, Monitor& monitor,
+                              std::vector<EdgeFace>& edges) {
+	constexpr std::size_t kGrain = 1 << 16;
 	const MeshArrays& mesh = arrangement.mesh;
 	std::vector<std::uint8_t> isShared(mesh.points.size(), 0);
 	for (const VertexId v : arrangement.nonManifold) {
 		at(isShared, v) = 1;
 	}
-	std::vector<EdgeFace> edges;
-	for (std::uint32_t f = 0; f < mesh.triangles.size(); ++f) {
-		const Triangle& t = mesh.triangles[f];
-		for (std::size_t i = 0; i < 3; ++i) {
-			const VertexId from = t[i], to = t[(i + 1) % 3];
-			if (at(isShared, from) != 0 && at(isShared, to) != 0) {
-				edges.push_back(makeEdgeItem(from.value, to.value, FaceId{f}));
-			}
-		}
-	}
-	return edges;
+	return inOrderFor(
+	    mesh.triangles.size(), kGrain, monitor, [&](std::size_t begin, std::size_t end) {
+		    for (std::size_t f = begin; f < end; ++f) {
+			    const Triangle& t = mesh.triangles[f];
+			    for (std::size_t i = 0; i < 3; ++i) {
+				    const VertexId from = t[i], to = t[(i + 1) % 3];
+				    if (at(isShared, from) != 0 && at(isShared, to) != 0) {
+					    edges.push_back(makeEdgeItem(from.value, to.value, makeId<FaceTag>(f)));
+				    }
+			    }
+		    }
+	    });
 }
 
 // Each of the faces at one edge, with the first one of another operand: which faces are touched
@@ -85,23 +89,30 @@ void addCommonEdge(const MeshArrays& mesh, const EdgeFace* begin, const EdgeFace
 // Adds pairs of faces of different operands that have an edge in common.
 Status addCommonEdges(const Arrangement& arrangement, Monitor& monitor,
                       std::vector<FacePair>& pairs) {
-	std::vector<EdgeFace> edges = edgesBetweenShared(arrangement);
+	std::vector<EdgeFace> edges;
 	const MeshArrays& mesh = arrangement.mesh;
-	const Status status =
-	    sortByEdge(edges, mesh.points.size(), arrangement.options.threads, monitor);
-	forEachSortedEdge(edges.data(), edges.data() + edges.size(),
-	                  [&](const EdgeFace* begin, const EdgeFace* end) {
-		                  addCommonEdge(mesh, begin, end, pairs);
-	                  });
+	const int threads = arrangement.options.threads;
 	const auto before = [](const FacePair& p, const FacePair& q) {
 		return p.a != q.a ? p.a < q.a : p.b < q.b;
 	};
-	std::sort(pairs.begin(), pairs.end(), before);
+	const auto keyOf = [](const FacePair& pair) { return pair.a.value; };
 	const auto isSame = [](const FacePair& p, const FacePair& q) {
 		return p.a == q.a && p.b == q.b;
 	};
-	pairs.erase(std::unique(pairs.begin(), pairs.end(), isSame), pairs.end());
-	return status;
+	return inOrder([&] { return listEdgesBetweenShared(arrangement, monitor, edges); },
+	               [&] { return sortByEdge(edges, mesh.points.size(), threads, monitor); },
+	               [&] {
+		               forEachSortedEdge(edges.data(), edges.data() + edges.size(),
+		                                 [&](const EdgeFace* begin, const EdgeFace* end) {
+			                                 addCommonEdge(mesh, begin, end, pairs);
+		                                 });
+		               return bucketSort(pairs, mesh.triangles.size(), keyOf, before, threads,
+		                                 monitor);
+	               },
+	               [&] {
+		               pairs.erase(std::unique(pairs.begin(), pairs.end(), isSame), pairs.end());
+		               return Status{};
+	               });
 }
 
 }  // namespace

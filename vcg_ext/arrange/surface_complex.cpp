@@ -307,6 +307,7 @@ std::vector<EdgeEntry> Builder::listEdges() const {
 
 Status Builder::joinFaces() {
 	std::vector<EdgeEntry> entries = listEdges();
+	pollCancelled(monitor_);
 	const std::size_t count = entries.size();
 	const int threads = arrangement_.options.threads;
 	Status status = sortByEdge(entries, vertexCount_, threads, monitor_);
@@ -345,6 +346,7 @@ Status Builder::run(ComplexOf part) {
 	return inOrder([&] { return isWhole ? addUncutFaces() : Status{}; },
 	               [&] {
 		               addPieces(part);
+		               pollCancelled(monitor_);
 		               return checkCounts(vertexCount_, 3 * out_.faces.size());
 	               },
 	               [&] { return mergeCoincident(); },
@@ -352,6 +354,7 @@ Status Builder::run(ComplexOf part) {
 		               if (isWhole) {
 			               findPlainVertices();
 		               }
+		               pollCancelled(monitor_);
 		               return listNearFaces();
 	               },
 	               [&] { return joinFaces(); });

@@ -6,6 +6,7 @@
 #include "vcg_ext/arrange/triple_contact.h"
 
 #include "vcg_ext/arrange/curve_points.h"
+#include "vcg_ext/arrange/numbered_sort.h"
 #include "vcg_ext/arrange/places.h"
 #include "vcg_ext/arrange/soup_contacts.h"
 #include "vcg_ext/base/parallel.h"
@@ -226,9 +227,15 @@ void TripleFinder::find(std::uint32_t contact, ChunkPoints& out) const {
 // Numbers the points of three faces behind all others.
 Status numberNamed(Arrangement& arrangement, std::vector<NamedInner>& named, Monitor& monitor,
                    Contacts& contacts) {
-	std::sort(named.begin(), named.end(), [](const NamedInner& a, const NamedInner& b) {
+	const auto isBefore = [](const NamedInner& a, const NamedInner& b) {
 		return a.name == b.name ? a.contact < b.contact : a.name < b.name;
-	});
+	};
+	const auto firstFaceOf = [](const NamedInner& inner) { return inner.name.ids[0]; };
+	const Status status = sortNumbered(named, arrangement.mesh.triangles.size(), firstFaceOf,
+	                                   isBefore, arrangement.options, monitor);
+	if (!status.ok()) {
+		return status;
+	}
 	Curve& curve = arrangement.curve;
 	const std::size_t before = curve.names.size();
 	for (const NamedInner& inner : named) {

@@ -9,6 +9,7 @@
 #include "vcg_ext/arrange/open_stars.h"
 #include "vcg_ext/arrange/pyramid_descent.h"
 #include "vcg_ext/arrange/unbalanced_vertices.h"
+#include "vcg_ext/base/bucket_sort.h"
 #include "vcg_ext/base/parallel.h"
 #include "vcg_ext/base/sorted_list.h"
 
@@ -28,17 +29,22 @@ public:
 		pairs_.push_back(pair);
 	}
 
-	// All pairs in order, each once. \param name the index by which a face is called
+	// Gives all pairs away in order, each once. \return Ok or Cancelled
+	// \param nameOf the index, below a count, by which a face is called
 	template <class NameOf>
-	std::vector<FacePair> sorted(NameOf&& nameOf) {
+	Status giveSorted(std::size_t count, int threads, Monitor& monitor, NameOf&& nameOf,
+	                  std::vector<FacePair>& out) {
 		for (FacePair& pair : pairs_) {
 			pair = {{nameOf(pair.a.value)}, {nameOf(pair.b.value)}};
 		}
-		std::sort(pairs_.begin(), pairs_.end(), [](const FacePair& p, const FacePair& q) {
+		const auto keyOf = [](const FacePair& pair) { return pair.a.value; };
+		const auto before = [](const FacePair& p, const FacePair& q) {
 			return p.a != q.a ? p.a < q.a : p.b < q.b;
-		});
+		};
+		const Status status = bucketSort(pairs_, count, keyOf, before, threads, monitor);
 		pairs_.erase(std::unique(pairs_.begin(), pairs_.end()), pairs_.end());
-		return std::move(pairs_);
+		out = std::move(pairs_);
+		return status;
 	}
 
 private:
@@ -91,10 +97,15 @@ Status searchNear(const FacesView& faces, const WrongPairOptions& options, Monit
 	PairList list;
 	const FacesView view(apart.points, apart.triangles.data(), apart.triangles.size());
 	// Among those near suspects not all that is balanced remains so.
-	const Status searched =
-	    search(view, {options.threads, false, &isSuspectApart}, monitor, list, out.zeroAreaFaces);
 	const auto nameOf = [&near](std::uint32_t face) { return near[face]; };
-	out.pairs = list.sorted(nameOf);
+	const Status searched = inOrder(
+	    [&] {
+		    return search(view, {options.threads, false, &isSuspectApart}, monitor, list,
+		                  out.zeroAreaFaces);
+	    },
+	    [&] {
+		    return list.giveSorted(faces.count(), options.threads, monitor, nameOf, out.pairs);
+	    });
 	std::transform(out.zeroAreaFaces.begin(), out.zeroAreaFaces.end(), out.zeroAreaFaces.begin(),
 	               nameOf);
 	return searched;
@@ -128,9 +139,12 @@ Status findWrongPairs(const FacesView& faces, const WrongPairOptions& options, M
 	out = {};
 	return guarded([&] {
 		PairList list;
-		const Status status = search(faces, options, monitor, list, out.zeroAreaFaces);
-		out.pairs = list.sorted([](std::uint32_t face) { return face; });
-		return status;
+		const auto nameOf = [](std::uint32_t face) { return face; };
+		return inOrder([&] { return search(faces, options, monitor, list, out.zeroAreaFaces); },
+		               [&] {
+			               return list.giveSorted(faces.count(), options.threads, monitor, nameOf,
+			                                      out.pairs);
+		               });
 	});
 }
 

@@ -19,7 +19,7 @@ namespace {
 
 constexpr std::size_t kGrain = 1 << 14;
 
-// A face of the mesh at a vertex, such that a lower one goes before: first by operand.
+// A face of the mesh at a vertex, first by operand.
 using FaceRank = std::uint64_t;
 constexpr FaceRank kNoFace = ~FaceRank{0};
 
@@ -45,6 +45,8 @@ private:
 		std::uint32_t firstMix;  // the number that stands for mix 0 there
 	};
 
+	bool isOfSeveralSheets(std::uint32_t v) const;
+	bool isBefore(FaceRank a, FaceRank b, std::uint32_t v) const;
 	Status findFaces();
 	Status findVertices();
 	Status findCorners();
@@ -61,12 +63,47 @@ private:
 	std::vector<Wanted> wanted_;
 };
 
-// Lowers a number that other threads lower too.
-void lowerTo(FaceRank value, std::atomic<FaceRank>& number) {
-	FaceRank known = number.load(std::memory_order_relaxed);
-	while (value < known &&
-	       !number.compare_exchange_weak(known, value, std::memory_order_relaxed)) {
+// Lowers a rank that other threads lower too.
+template <class Before>
+void lowerTo(FaceRank value, std::atomic<FaceRank>& rank, Before&& isBefore) {
+	FaceRank known = rank.load(std::memory_order_relaxed);
+	while (isBefore(value, known) &&
+	       !rank.compare_exchange_weak(known, value, std::memory_order_relaxed)) {
 	}
+}
+
+// Whether sheets of one operand may meet at a vertex, which differ in their values there.
+bool SourceFinder::isOfSeveralSheets(std::uint32_t v) const {
+	const VertexId source = mesh_.vertexSource[v];
+	return arrangement_.isSoup && (source == VertexId::none() || arrangement_.isOnOther(source));
+}
+
+// Whether a vertex takes its attributes rather through one face of the mesh at it than through
+// another: by operand, and then by number, or, where sheets of one operand meet, by the places of
+// the faces' corners and those of their sources, so that all is the same in any numbering.
+bool SourceFinder::isBefore(FaceRank a, FaceRank b, std::uint32_t v) const {
+	if (b == kNoFace || operandOf(a) != operandOf(b) || !isOfSeveralSheets(v)) {
+		return a < b;
+	}
+	const auto placesOf = [](const auto& points, const auto& t) {
+		std::array<Point, 3> places{points[t[0]], points[t[1]], points[t[2]]};
+		std::sort(places.begin(), places.end());
+		return places;
+	};
+	const auto ofMesh = [&](FaceRank rank) {
+		return placesOf(mesh_.points, mesh_.triangles[faceOf(rank)]);
+	};
+	const auto ofSource = [&](FaceRank rank) {
+		const Triangle& t = at(arrangement_.mesh.triangles, mesh_.faceSource[faceOf(rank)].face);
+		return placesOf(arrangement_.mesh.points,
+		                IndexTriangle{t[0].value, t[1].value, t[2].value});
+	};
+	const std::array<Point, 3> placesOfA = ofMesh(a), placesOfB = ofMesh(b);
+	if (placesOfA != placesOfB) {
+		return placesOfA < placesOfB;
+	}
+	const std::array<Point, 3> sourceOfA = ofSource(a), sourceOfB = ofSource(b);
+	return sourceOfA != sourceOfB ? sourceOfA < sourceOfB : a < b;
 }
 
 // Each vertex takes its attributes through its first face of the first operand that it is on.
@@ -84,17 +121,18 @@ Status SourceFinder::findFaces() {
 	if (!status.ok()) {
 		return status;
 	}
-	return parallelFor(out_.face.size(), kGrain, threads, monitor_,
-	                   [&](std::size_t begin, std::size_t end) {
-		                   for (std::size_t f = begin; f < end; ++f) {
-			                   const GivenFace face = locator_.givenFace(mesh_.faceSource[f].face);
-			                   const FaceRank rank = makeRank(face.operand, f);
-			                   out_.face[f] = face;
-			                   for (const std::uint32_t v : mesh_.triangles[f]) {
-				                   lowerTo(rank, chosen_[v]);
-			                   }
-		                   }
-	                   });
+	return parallelFor(
+	    out_.face.size(), kGrain, threads, monitor_, [&](std::size_t begin, std::size_t end) {
+		    for (std::size_t f = begin; f < end; ++f) {
+			    const GivenFace face = locator_.givenFace(mesh_.faceSource[f].face);
+			    const FaceRank rank = makeRank(face.operand, f);
+			    out_.face[f] = face;
+			    for (const std::uint32_t v : mesh_.triangles[f]) {
+				    lowerTo(rank, chosen_[v],
+				            [&](FaceRank a, FaceRank b) { return isBefore(a, b, v); });
+			    }
+		    }
+	    });
 }
 
 // Calls list(begin, end, wanted) for chunks of n items; joins what they want, in order.

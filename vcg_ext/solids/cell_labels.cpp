@@ -4,6 +4,7 @@
 // Cells are sub-blocks, but that walls across which no winding number changes are none.
 #include "vcg_ext/solids/cell_labels.h"
 
+#include "vcg_ext/base/parallel.h"
 #include "vcg_ext/parts/sub_blocks.h"
 
 #include <algorithm>
@@ -37,11 +38,12 @@ void measureOperands(const SubBlocks& blocks, Arrangement& arrangement) {
 }
 
 // The cells in front of each triangle and behind it.
-void listSides(const Arrangement& arrangement, const SubSurfaces& surfaces, const SubBlocks& blocks,
-               CellLabels& out) {
+Status listSides(const Arrangement& arrangement, const SubSurfaces& surfaces,
+                 const SubBlocks& blocks, Monitor& monitor, CellLabels& out) {
+	constexpr std::size_t kGrain = 1 << 15;
 	out.ofFace.assign(arrangement.mesh.triangles.size(), kNoWall);
 	out.ofPiece.assign(arrangement.refinement.pieces.size(), kNoWall);
-	for (std::size_t f = 0; f < surfaces.complex.faces.size(); ++f) {
+	const auto list = [&](std::size_t f) {
 		const RefinedFace& face = surfaces.complex.faces[f];
 		const std::array<std::int32_t, 2>& beside = at(blocks.beside, surfaces.ofFace[f]);
 		const std::size_t front = surfaces.turned[f] != 0 ? 1 : 0;
@@ -54,7 +56,13 @@ void listSides(const Arrangement& arrangement, const SubSurfaces& surfaces, cons
 				out.otherSources.push_back({face.piece, source, opposed});
 			}
 		});
-	}
+	};
+	return inOrderFor(surfaces.complex.faces.size(), kGrain, monitor,
+	                  [&](std::size_t begin, std::size_t end) {
+		                  for (std::size_t f = begin; f < end; ++f) {
+			                  list(f);
+		                  }
+	                  });
 }
 
 }  // namespace
@@ -64,15 +72,17 @@ Status labelCells(Arrangement& arrangement, Monitor& monitor) {
 	SubSurfaces surfaces;
 	SubBlocks blocks;
 	arrangement.cells = CellLabels{};
-	const Status status = inOrder(
+	return inOrder(
 	    [&] { return findSubSurfaces(arrangement, monitor, surfaces); },
-	    [&] { return findSubBlocks(arrangement, surfaces, Walls::Jumps, monitor, blocks); });
-	if (status.ok()) {
-		listCells(arrangement, blocks, arrangement.cells);
-		listSides(arrangement, surfaces, blocks, arrangement.cells);
-		measureOperands(blocks, arrangement);
-	}
-	return status;
+	    [&] { return findSubBlocks(arrangement, surfaces, Walls::Jumps, monitor, blocks); },
+	    [&] {
+		    listCells(arrangement, blocks, arrangement.cells);
+		    return listSides(arrangement, surfaces, blocks, monitor, arrangement.cells);
+	    },
+	    [&] {
+		    measureOperands(blocks, arrangement);
+		    return Status{};
+	    });
 }
 
 }  // namespace index_boolean

@@ -3,7 +3,7 @@
 //
 // Where attributes come from: what is said of each vertex, face and corner is put to the test by
 // coordinates alone; weights that are fractions with few bits are exactly those.
-#include "core/shapes.h"
+#include "core/any_operands.h"
 
 #include <gtest/gtest.h>
 
@@ -383,6 +383,39 @@ TEST(FaceClasses, keepCoplanarFacesApart) {
 	};
 	EXPECT_EQ(unionFaces(3, 3), 12u);
 	EXPECT_EQ(unionFaces(3, 4), 20u);
+}
+
+// Two crossing bars in one layer, each with a value of its own everywhere. Where they meet, the
+// block has one vertex: with the value of one of them.
+TEST(AttributeSources, ofSheetsOfOneOperandDoNotDependOnTheNumbering) {
+	const Mesh bars = layer({box({-3, -1, -1}, {3, 1, 1}), box({-1, -3, -0.5}, {1, 3, 0.5})});
+	const auto valueAt = [](const Point& given) { return std::fabs(given[0]) == 3 ? 1. : 0.; };
+	std::mt19937 random(5);
+	std::map<Point, double> expected;
+	for (int n = 0; n < 30; ++n) {
+		const Mesh mesh = permuted(bars, random);
+		const CellsRun r = runCells({mesh});
+		Block block = blockOf(r, inAny);
+		const GivenTriangles given = [&mesh](GivenFace f) {
+			const IndexTriangle& t = mesh.triangles[f.index];
+			return Triangle{VertexId{t[0]}, VertexId{t[1]}, VertexId{t[2]}};
+		};
+		Monitor monitor;
+		AttributeSources sources;
+		ASSERT_TRUE(attributeSources(r.arrangement, {given, Seams{}, {false, false}}, monitor,
+		                             block, sources)
+		                .ok());
+		std::map<Point, double> values;
+		for (std::size_t v = 0; v < block.points.size(); ++v) {
+			const bool isMix = sources.isMix(v);
+			const std::uint32_t vertex =
+			    isMix ? given(sources.mixOfVertex(v).face)[0].value : sources.vertex[v];
+			values[block.points[v]] = valueAt(mesh.points[vertex]);
+		}
+		expected = n == 0 ? values : expected;
+		EXPECT_EQ(values, expected);
+	}
+	EXPECT_GE(expected.size(), 24U);
 }
 
 }  // namespace
