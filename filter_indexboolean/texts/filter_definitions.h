@@ -15,7 +15,7 @@
 
 namespace index_boolean {
 
-enum class ParameterKind { Layer, Bool, Int, Choice };
+enum class ParameterKind { Layer, Bool, Int, Choice, Text };
 
 struct ParameterDefinition {
 	const char* name;
@@ -26,6 +26,7 @@ struct ParameterDefinition {
 	const char* label;
 	const char* help;
 	std::vector<const char*> choices = {};  // Choice: the words to choose from
+	const char* defaultText = "";           // Text
 };
 
 // What results are certified as, in the order of the parameter certify_as.

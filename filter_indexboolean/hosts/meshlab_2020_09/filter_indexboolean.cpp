@@ -53,6 +53,10 @@ void addParameter(const ParameterDefinition& definition, MeshDocument& document,
 		list.addParam(RichEnum(definition.name, definition.defaultValue, choicesOf(definition),
 		                       definition.label, definition.help));
 		break;
+	case ParameterKind::Text:
+		list.addParam(
+		    RichString(definition.name, definition.defaultText, definition.label, definition.help));
+		break;
 	}
 }
 
