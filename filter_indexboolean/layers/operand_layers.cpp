@@ -48,6 +48,17 @@ LayerDirectory layerDirectory(const MeshDocument& document) {
 	return LayerDirectory(std::move(layers));
 }
 
+LayerName layerGiven(FilterId filter, const char* parameter, const ParameterValues& values,
+                     MeshDocument& document) {
+	return nameOf(*findOperand(filter, parameter, values, document));
+}
+
+void hideLayers(const OperandLayers& operands) {
+	for (MeshModel* layer : operands.layers) {
+		hideLayer(*layer);
+	}
+}
+
 OperandLayers layersNamed(const std::vector<LayerName>& names, MeshDocument& document) {
 	OperandLayers operands{PerOperand<MeshModel*>(names.size()), LayerNames(names.size())};
 	for (const OperandId operand : operands.names.operands()) {

@@ -28,6 +28,13 @@ OperandLayers findOperandLayers(FilterId filter, const ParameterValues& values,
 // What there is to know of all layers of the document, in its order, for lists of layers.
 LayerDirectory layerDirectory(const MeshDocument& document);
 
+// The layer that a parameter names; throws Refusal if there is none.
+LayerName layerGiven(FilterId filter, const char* parameter, const ParameterValues& values,
+                     MeshDocument& document);
+
+// Makes the layers invisible.
+void hideLayers(const OperandLayers& operands);
+
 // The layers of the document that have been named, in that order. \pre each once, and it is there
 OperandLayers layersNamed(const std::vector<LayerName>& names, MeshDocument& document);
 

@@ -260,10 +260,21 @@ std::string lackingAttributesMessage(const LayerName& layer,
 	       ": what comes of it has MeshLab's default there.";
 }
 
-std::string blockMessage(const Block& block, const BlockMeasure& measure,
-                         const LayerNames& layers) {
-	return "\"" + blockLabel(block.operation, layers) +
-	       "\": " + counted(block.triangles.size(), "face") + ", " +
+std::string nothingInsideMessage(const std::string& label) {
+	return "\"" + label + "\" is empty: it is true of no part of space.";
+}
+
+std::string operandNumbersMessage(const LayerNames& layers) {
+	std::vector<std::string> names;
+	for (const OperandId operand : layers.operands()) {
+		names.push_back(std::to_string(operand.value) + " is " + quoted(layers[operand]));
+	}
+	return "Operands, by their numbers in source_mesh: " + listed(names, ", ") + ".";
+}
+
+std::string blockMessage(const std::string& label, const Block& block,
+                         const BlockMeasure& measure) {
+	return "\"" + label + "\": " + counted(block.triangles.size(), "face") + ", " +
 	       counted(measure.components, "component") + ", volume " + decimal(measure.volume) +
 	       ", area " + decimal(measure.area) + ".";
 }

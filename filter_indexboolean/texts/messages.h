@@ -61,7 +61,13 @@ std::string lackingAttributesMessage(const LayerName& layer,
                                      const std::vector<std::string>& attributes);
 
 // What a block is like, for those who see the log and not the result map.
-std::string blockMessage(const Block& block, const BlockMeasure& measure, const LayerNames& layers);
+std::string blockMessage(const std::string& label, const Block& block, const BlockMeasure& measure);
+
+// No place is inside the statement with that label, or the layer.
+std::string nothingInsideMessage(const std::string& label);
+
+// Which layer each number in source_mesh stands for.
+std::string operandNumbersMessage(const LayerNames& layers);
 
 // All of the run's surfaces hold as they are stored.
 std::string certifiedMessage(std::size_t surfaces, OutputScalar scalar);

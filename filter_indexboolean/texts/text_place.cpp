@@ -39,6 +39,11 @@ std::string joined(const std::vector<std::string>& characters, std::size_t begin
 
 }  // namespace
 
+std::string shortened(const std::string& text, std::size_t most) {
+	const std::vector<std::string> characters = charactersOf(text);
+	return characters.size() > most ? joined(characters, 0, most - 1) + "\u2026" : text;
+}
+
 std::string messageAtPlace(const std::string& what, const std::string& text, std::size_t begin,
                            const std::string& problem) {
 	const std::size_t place = std::min(begin, text.size());

@@ -16,4 +16,7 @@ namespace index_boolean {
 std::string messageAtPlace(const std::string& what, const std::string& text, std::size_t begin,
                            const std::string& problem);
 
+// A text of at most so many characters: a longer one is cut, with "…" in the last one's place.
+std::string shortened(const std::string& text, std::size_t most);
+
 }  // namespace index_boolean
