@@ -381,9 +381,14 @@ Status refuseUnclosed(const Arrangement& arrangement) {
 Status arrangeExpression(MeshArrays input, const Expression& expression, const Options& options,
                          Monitor& monitor, Arrangement& out) {
 	return guarded([&] {
-		static_cast<void>(expression);
+		const auto all = input.operands();
+		const bool isParityAll = std::all_of(all.begin(), all.end(), [&](OperandId operand) {
+			return expression.gates.asksParityOnly(operand);
+		});
+		Options asked = options;
+		asked.windingRule = isParityAll ? WindingRule::Odd : WindingRule::Nonzero;
 		return inOrder([&] { return refuseWithoutFaces(input); },
-		               [&] { return arrangeCells(std::move(input), options, monitor, out); },
+		               [&] { return arrangeCells(std::move(input), asked, monitor, out); },
 		               [&] { return refuseUnclosed(out); });
 	});
 }

@@ -64,9 +64,9 @@ Status extractBlock(const Arrangement& arrangement, const CellSet& isInside, Mon
                     Block& out);
 
 // Intersects the operands of an expression, for the blocks of its statements (cellsOf): as
-// arrangeCells, and each operand has to be closed as it is cut and to enclose something. Of those
-// that the expression asks for the parity of their winding numbers alone, the faces may be turned
-// anyhow.
+// arrangeCells, and each operand has to be closed as it is cut and to enclose something. If the
+// expression asks for no more than the parity of winding numbers, faces may be turned anyhow.
+// options.windingRule does not matter: what an operand is true of is the expression's.
 // \param input the expression's operands, in its order
 // \return as arrangeCells; EmptyOperand, NotClosed, NotOriented or NoVolume of an operand that is
 //         not so
