@@ -59,7 +59,7 @@ Status arrangeCells(MeshArrays input, const Options& options, Monitor& monitor, 
 Status extractBlock(const Arrangement& arrangement, const CellPredicate& isInside, Monitor& monitor,
                     Block& out);
 
-// The same of a set of cells. Complexity: O(n).
+// The same of a set of cells. \return as above. Complexity: O(n).
 Status extractBlock(const Arrangement& arrangement, const CellSet& isInside, Monitor& monitor,
                     Block& out);
 
@@ -162,7 +162,7 @@ Status audit(const Arrangement& arrangement, const std::vector<Block>& blocks, M
              Audit& out);
 
 // The same of blocks of cells: the law is that a block has the volume of its cells.
-// \param cells of each block
+// \param cells of each block \return as above. Complexity: O(n + c) for c cells of all blocks.
 Status audit(const Arrangement& arrangement, const std::vector<Block>& blocks,
              const std::vector<CellSet>& cells, Monitor& monitor, Audit& out);
 

@@ -45,6 +45,12 @@ namespace {
 
 constexpr std::size_t kPollGrain = 1024;  // edges, or blocks, between two looks at the monitor
 
+// How often an operand winds around some place.
+struct Winding {
+	OperandId operand;
+	std::int32_t number;
+};
+
 // Side 2 * s of sub-surface s is its front, 2 * s + 1 its back.
 class Assembler {
 public:
@@ -76,6 +82,9 @@ private:
 	Status refuseWindings(OperandId operand, std::uint32_t surface) const;
 	int windingStep(OperandId operand, std::uint32_t surface) const;
 	std::vector<OperandId> closedOperandsOf(std::uint32_t surface) const;
+	std::vector<Winding> windingsBehind(const PerOperand<std::int32_t>& before,
+	                                    std::uint32_t surface, bool toBack,
+	                                    std::uint64_t& sum) const;
 	std::vector<std::uint32_t> witnessFaces() const;
 	std::vector<BoundingBox> boxesOf(const std::vector<std::uint32_t>& faces) const;
 	PerOperand<BoundingBox> operandBoxes() const;
@@ -389,20 +398,54 @@ Status Assembler::refuseWindings(OperandId operand, std::uint32_t surface) const
 	return selfIntersecting(arrangement_, operand, faces, arrangement_.coordinates(corner));
 }
 
+// What a winding number adds to the sum that stands for all operands'. (A sum can hide a difference
+// once in 2^64 times. Nothing is decided by it: equal sums only spare a comparison of what has to
+// be equal, and is counted again by rays.)
+std::uint64_t summandOf(OperandId operand, std::int32_t winding) {
+	if (winding == 0) {
+		return 0;
+	}
+	std::uint64_t bits = std::uint64_t{operand.value} << 32 | static_cast<std::uint32_t>(winding);
+	bits = (bits ^ bits >> 30) * 0xbf58476d1ce4e5b9U;
+	bits = (bits ^ bits >> 27) * 0x94d049bb133111ebU;
+	return bits ^ bits >> 31;
+}
+
+PerOperand<std::int32_t> changed(PerOperand<std::int32_t> windings,
+                                 const std::vector<Winding>& changes) {
+	for (const Winding& change : changes) {
+		windings[change.operand] = change.number;
+	}
+	return windings;
+}
+
 // \pre they differ
 OperandId firstDifference(const PerOperand<std::int32_t>& a, const PerOperand<std::int32_t>& b) {
 	const auto all = a.operands();
 	return *std::find_if(all.begin(), all.end(), [&](OperandId o) { return a[o] != b[o]; });
 }
 
+// The winding numbers on the other side of a sub-surface, of the operands that have it. The sum is
+// that of the numbers before, and becomes that of those behind.
+std::vector<Winding> Assembler::windingsBehind(const PerOperand<std::int32_t>& before,
+                                               std::uint32_t surface, bool toBack,
+                                               std::uint64_t& sum) const {
+	std::vector<Winding> changes;
+	for (const OperandId operand : closedOperandsOf(surface)) {
+		const int step = (toBack ? 1 : -1) * windingStep(operand, surface);
+		changes.push_back({operand, counted(before[operand] + step)});
+		sum += summandOf(operand, changes.back().number) - summandOf(operand, before[operand]);
+	}
+	return changes;
+}
+
 // Goes from block to block through the sub-surfaces between them, from the outside on.
 Status Assembler::walkWindings() {
 	const std::size_t outside = out_.all.size();
-	std::vector<PerOperand<std::int32_t>> windings(
-	    outside + 1, PerOperand<std::int32_t>(arrangement_.mesh.operands().count()));
-	std::vector<std::uint8_t> known(outside + 1);
+	std::vector<PerOperand<std::int32_t>> windings(outside + 1, PerOperand<std::int32_t>(0));
+	std::vector<std::uint64_t> sums(outside + 1, 0);
 	std::vector<std::size_t> reached{outside};
-	known[outside] = 1;
+	windings[outside] = PerOperand<std::int32_t>(arrangement_.mesh.operands().count());
 	const auto blockAt = [&](std::uint32_t surface, std::size_t side) {
 		const std::int32_t block = out_.beside[surface][side];
 		return block == kNoBlock ? outside : static_cast<std::size_t>(block);
@@ -421,22 +464,20 @@ Status Assembler::walkWindings() {
 		for (const std::uint32_t s : around[block]) {
 			const bool toBack = blockAt(s, 0) == block;
 			const std::size_t next = blockAt(s, toBack ? 1 : 0);
-			PerOperand<std::int32_t> there = windings[block];
-			for (const OperandId operand : closedOperandsOf(s)) {
-				const int step = (toBack ? 1 : -1) * windingStep(operand, s);
-				there[operand] = counted(there[operand] + step);
-			}
-			if (known[next] == 0) {
-				known[next] = 1;
-				windings[next] = std::move(there);
+			std::uint64_t sum = sums[block];
+			const std::vector<Winding> changes = windingsBehind(windings[block], s, toBack, sum);
+			if (windings[next].size() == 0) {
+				windings[next] = changed(windings[block], changes);
+				sums[next] = sum;
 				reached.push_back(next);
-			} else if (!(windings[next] == there)) {
-				return refuseWindings(firstDifference(windings[next], there), s);
+			} else if (sums[next] != sum) {
+				const auto there = changed(windings[block], changes);
+				return refuseWindings(firstDifference(there, windings[next]), s);
 			}
 		}
 	}
 	for (std::size_t i = 0; i < outside; ++i) {
-		out_.all[i].windings = windings[i];
+		out_.all[i].windings = std::move(windings[i]);
 	}
 	return {};
 }
