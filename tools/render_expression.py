@@ -24,8 +24,8 @@ from plain_solids import box, turned_about  # noqa: E402
 from conftest import sphere  # noqa: E402
 
 COLOURS = np.array([(0.30, 0.54, 0.78), (0.96, 0.64, 0.24), (0.45, 0.70, 0.35), (0.80, 0.38, 0.42)])
-STATEMENTS = ("union(all)", "at_least(2, all)", "difference(0, all)", "xor(all)")
-VIEW = ((0.75, -1.0, 0.7), (0, 0, 1), 0, 1.1)
+STATEMENTS = ("union(all)", "at_least(2, all)", "difference(0, all)", "union(1, 2) - 0")
+VIEW = ((0.75, -1.0, 0.7), (0, 0, 1), 0, 1.6)
 
 
 def layers():
@@ -57,6 +57,8 @@ def main():
             )
 
     def made(number):
+        for operand in operands:  # unseen, so that all panels show the same part of space
+            plotter.add_mesh(render_figures.surface_of(*operand), opacity=0)
         mesh = mesh_set.mesh(int(result[f"result_{number}_layer"]))
         surface = render_figures.surface_of(mesh.vertex_matrix(), mesh.face_matrix())
         source = mesh.face_custom_scalar_attribute_array("source_mesh").astype(int)

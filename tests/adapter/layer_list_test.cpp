@@ -45,7 +45,7 @@ TEST(LayerList, wordsStandForWhatCanBeAnOperand) {
 	EXPECT_EQ(idsOfList(" all ", messages), (std::vector<int>{2, 3, 5, 7}));
 	ASSERT_EQ(messages.size(), 2U);
 	EXPECT_EQ(messages[0].substr(0, 53),
-	          "\"all\" leaves out \"points\" (id 9), which has no faces; ");
+	          "\"all\" leaves out \"points\" (id 9), which has no faces;");
 	EXPECT_NE(messages[1].find("\"a union b\" (id 11), which has been made by Index Boolean"),
 	          std::string::npos);
 }
