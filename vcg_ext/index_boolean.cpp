@@ -142,7 +142,7 @@ Status finishBlock(const Arrangement& arrangement, Monitor& monitor, Block& bloc
 using BlockVolumes = std::array<double, kOperationCount>;
 
 // The largest |law| over the laws whose blocks have all been delivered.
-double largestLawResidual(const PerOperand<double>& operand, const BlockVolumes& volumes) {
+double largestLaw(const PerOperand<double>& operand, const BlockVolumes& volumes) {
 	const auto of = [&volumes](Operation o) { return volumes[static_cast<std::size_t>(o)]; };
 	const double either = of(Operation::Union);
 	const double both = of(Operation::Intersection);
@@ -162,8 +162,17 @@ double largestLawResidual(const PerOperand<double>& operand, const BlockVolumes&
 	for (const double law : laws) {
 		most = std::fmax(most, std::fabs(law));  // fmax passes over NaN: a block not delivered
 	}
+	return most;
+}
+
+// A largest |law| over the sum of the operands' volumes.
+double residualOf(const Arrangement& arrangement, double most) {
+	double whole = 0;
+	for (const double volume : arrangement.volume) {
+		whole += volume;
+	}
 	// Of volumes beyond the range of double no law tells anything; closedness is what counts then.
-	const double residual = most / (operand[kFirst] + operand[kSecond]);
+	const double residual = most / whole;
 	return std::isfinite(residual) ? residual : 0;
 }
 
@@ -357,7 +366,52 @@ Status refuseEmptyOperands(const Arrangement& arrangement) {
 	});
 }
 
+// Ok, or the first operand that has no face.
+Status refuseWithoutFaces(const MeshArrays& input) {
+	return forEachOperand(input.operands(), [&](OperandId operand) {
+		Status status = statusOf(input.faceOffsets.size(operand) == 0 ? StatusCode::EmptyOperand
+		                                                              : StatusCode::Ok);
+		status.operand = numberOf(operand);
+		return status;
+	});
+}
+
+// Ok, or the first operand that is open, or around nothing of which it winds.
+Status refuseUnclosed(const Arrangement& arrangement) {
+	PerOperand<bool> windsAround(arrangement.mesh.operands().count());
+	for (const PerOperand<std::int32_t>& windings : arrangement.cells.windings) {
+		for (const OperandId operand : windings.operands()) {
+			windsAround[operand] = windsAround[operand] || windings[operand] != 0;
+		}
+	}
+	return forEachOperand(arrangement.mesh.operands(), [&](OperandId operand) {
+		if (!arrangement.closed[operand]) {
+			return refuseOpen(arrangement, operand);
+		}
+		const bool isEmpty =
+		    !windsAround[operand] && arrangement.options.windingRule != WindingRule::Odd;
+		Status status = statusOf(isEmpty ? StatusCode::NoVolume : StatusCode::Ok);
+		status.operand = numberOf(operand);
+		return status;
+	});
+}
+
 }  // namespace
+
+Status arrangeExpression(MeshArrays input, const Expression& expression, const Options& options,
+                         Monitor& monitor, Arrangement& out) {
+	return guarded([&] {
+		const auto all = input.operands();
+		const bool isParityAll = std::all_of(all.begin(), all.end(), [&](OperandId operand) {
+			return expression.gates.asksParityOnly(operand);
+		});
+		Options asked = options;
+		asked.windingRule = isParityAll ? WindingRule::Odd : WindingRule::Nonzero;
+		return inOrder([&] { return refuseWithoutFaces(input); },
+		               [&] { return arrangeCells(std::move(input), asked, monitor, out); },
+		               [&] { return refuseUnclosed(out); });
+	});
+}
 
 Status arrangeOperands(MeshArrays input, const InputAgain& again, const Options& options,
                        Monitor& monitor, Arrangement& out) {
@@ -451,7 +505,8 @@ Status extractBlock(const Arrangement& arrangement, Operation operation, Monitor
 		if (!from.cells.areKnown()) {
 			return collectBlock(from, operation, monitor, block);
 		}
-		const Status status = collectCells(from, cellPredicateOf(operation, rule), monitor, block);
+		const Status status =
+		    collectCells(from, cellSetOf(from, cellPredicateOf(operation, rule)), monitor, block);
 		block.operation = operation;
 		return status;
 	};
@@ -461,9 +516,26 @@ Status extractBlock(const Arrangement& arrangement, Operation operation, Monitor
 Status extractBlock(const Arrangement& arrangement, const CellPredicate& isInside, Monitor& monitor,
                     Block& out) {
 	const auto collect = [&](const Arrangement& from, Block& block) {
-		return collectCells(from, isInside, monitor, block);
+		return collectCells(from, cellSetOf(from, isInside), monitor, block);
 	};
 	return extractCollected(arrangement, collect, monitor, out);
+}
+
+Status extractBlock(const Arrangement& arrangement, const CellSet& isInside,
+                    const CellSet& isInsideAsStored, Monitor& monitor, Block& out) {
+	const auto collect = [&](const Arrangement& from, Block& block) {
+		return collectCells(from, &from == &arrangement ? isInside : isInsideAsStored, monitor,
+		                    block);
+	};
+	return extractCollected(arrangement, collect, monitor, out);
+}
+
+CellSet boundedCells(const Arrangement& arrangement) {
+	CellSet cells(arrangement.cells.windings.size(), 1);
+	if (!cells.empty()) {
+		cells.front() = 0;
+	}
+	return cells;
 }
 
 namespace {
@@ -573,26 +645,55 @@ Status attributeSources(const Arrangement& arrangement, const AttributeInput& in
 	});
 }
 
+namespace {
+
+// Measures blocks; \return InternalError if one is not closed.
+Status measureBlocks(const Arrangement& arrangement, const std::vector<Block>& blocks,
+                     Monitor& monitor, Audit& out) {
+	Status status;
+	out = Audit{};
+	for (const Block& block : blocks) {
+		out.blocks.push_back(
+		    measureSurface(block.points, block.triangles, arrangement.options.threads));
+		if (!out.blocks.back().closed) {
+			status.code = StatusCode::InternalError;
+		}
+	}
+	if (status.ok() && pollCancelled(monitor)) {
+		status.code = StatusCode::Cancelled;
+	}
+	return status;
+}
+
+}  // namespace
+
 Status audit(const Arrangement& arrangement, const std::vector<Block>& blocks, Monitor& monitor,
              Audit& out) {
 	return guarded([&] {
-		Status status;
-		out = Audit{};
+		const Status status = measureBlocks(arrangement, blocks, monitor, out);
 		BlockVolumes volumes;
 		volumes.fill(std::nan(""));
 		for (std::size_t i = 0; i < blocks.size(); ++i) {
-			const BlockMeasure measure =
-			    measureSurface(blocks[i].points, blocks[i].triangles, arrangement.options.threads);
-			volumes[static_cast<std::size_t>(blocks[i].operation)] = measure.volume;
-			out.blocks.push_back(measure);
-			if (!measure.closed) {
-				status.code = StatusCode::InternalError;
+			volumes[static_cast<std::size_t>(blocks[i].operation)] = out.blocks[i].volume;
+		}
+		out.volumeLawResidual = residualOf(arrangement, largestLaw(arrangement.volume, volumes));
+		return status;
+	});
+}
+
+Status audit(const Arrangement& arrangement, const std::vector<Block>& blocks,
+             const std::vector<CellSet>& cells, Monitor& monitor, Audit& out) {
+	return guarded([&] {
+		const Status status = measureBlocks(arrangement, blocks, monitor, out);
+		double most = 0;
+		for (std::size_t i = 0; i < blocks.size(); ++i) {
+			double volume = 0;
+			for (std::size_t cell = 0; cell < cells[i].size(); ++cell) {
+				volume += cells[i][cell] != 0 ? arrangement.cells.volume[cell] : 0;
 			}
+			most = std::fmax(most, std::fabs(out.blocks[i].volume - volume));
 		}
-		out.volumeLawResidual = largestLawResidual(arrangement.volume, volumes);
-		if (status.ok() && pollCancelled(monitor)) {
-			status.code = StatusCode::Cancelled;
-		}
+		out.volumeLawResidual = residualOf(arrangement, most);
 		return status;
 	});
 }

@@ -22,6 +22,8 @@
 #include "vcg_ext/parts/split_meshes.h"
 #include "vcg_ext/solids/blocks.h"
 #include "vcg_ext/solids/cell_blocks.h"
+#include "vcg_ext/solids/expression.h"
+#include "vcg_ext/solids/expression_tokens.h"
 
 namespace index_boolean {
 
@@ -56,6 +58,28 @@ Status arrangeCells(MeshArrays input, const Options& options, Monitor& monitor, 
 //         cells. Complexity: O(n), and a call for each cell.
 Status extractBlock(const Arrangement& arrangement, const CellPredicate& isInside, Monitor& monitor,
                     Block& out);
+
+// The same of a set of cells.
+// \param isInside         cells of the arrangement
+// \param isInsideAsStored cells of asStored(arrangement), which is nearly always the same
+// \return as above. Complexity: O(n).
+Status extractBlock(const Arrangement& arrangement, const CellSet& isInside,
+                    const CellSet& isInsideAsStored, Monitor& monitor, Block& out);
+
+// Intersects the operands of an expression, for the blocks of its statements (cellsOf): as
+// arrangeCells, and each operand has to be closed as it is cut and to enclose something. If the
+// expression asks for no more than the parity of winding numbers, faces may be turned anyhow.
+// options.windingRule does not matter: what an operand is true of is the expression's.
+// \param input the expression's operands, in its order
+// \return as arrangeCells; EmptyOperand, NotClosed, NotOriented or NoVolume of an operand that is
+//         not so
+// Complexity: as arrangeCells.
+Status arrangeExpression(MeshArrays input, const Expression& expression, const Options& options,
+                         Monitor& monitor, Arrangement& out);
+
+// All bounded cells: what the outside does not reach, whatever the winding numbers are. Throws
+// std::bad_alloc. \pre the arrangement has cells. Complexity: O(c) for c cells.
+CellSet boundedCells(const Arrangement& arrangement);
 
 // Makes a run's operands once more, as they were given, for a run that begins again.
 using InputAgain = std::function<Status(MeshArrays& out)>;
@@ -129,7 +153,7 @@ Status attributeSources(const Arrangement& arrangement, const AttributeInput& in
 // What is known of delivered blocks by measuring them.
 struct Audit {
 	std::vector<BlockMeasure> blocks;  // one per block given
-	double volumeLawResidual = 0;      // the largest |law| / (V(A) + V(B))
+	double volumeLawResidual = 0;      // the largest |law| over the sum of the operands' volumes
 };
 
 // Measures delivered blocks (volume, area, components, closedness) and the volume laws.
@@ -139,6 +163,11 @@ struct Audit {
 // Complexity: O(n) for all faces of the blocks, in parallel.
 Status audit(const Arrangement& arrangement, const std::vector<Block>& blocks, Monitor& monitor,
              Audit& out);
+
+// The same of blocks of cells: the law is that a block has the volume of its cells.
+// \param cells of each block \return as above. Complexity: O(n + c) for c cells of all blocks.
+Status audit(const Arrangement& arrangement, const std::vector<Block>& blocks,
+             const std::vector<CellSet>& cells, Monitor& monitor, Audit& out);
 
 // Audits the sub-blocks of a split, with their boundaries as delivered; see split_audit.h.
 // \param boundaries of all sub-blocks, in their order, or none

@@ -25,6 +25,7 @@ class OperandElementsAccess {
 public:
 	OperandElementsAccess(const PerOperand<MeshModel*>& layers, const OperandArrays& read);
 
+	Operands operands() const { return layers_.operands(); }
 	const CMeshO& mesh(OperandId operand) const { return layers_[operand]->cm; }
 	const MeshModel& layer(OperandId operand) const { return *layers_[operand]; }
 	const OperandElements& elements(OperandId operand) const { return elements_[operand]; }

@@ -51,7 +51,7 @@ bool AttributeTransfer::areSame(const OperandElementsAccess::Spot& a,
 }
 
 PerOperand<std::vector<std::uint32_t>> AttributeTransfer::faceClasses() const {
-	PerOperand<std::vector<std::uint32_t>> classes;
+	PerOperand<std::vector<std::uint32_t>> classes(access_.operands().count());
 	if (columns_.empty()) {
 		return classes;
 	}

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Index Boolean authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// in: both operands' layers, and the sources of a new layer's elements; out: the layer's
+// in: the operands' layers, and the sources of a new layer's elements; out: the layer's
 // attributes.
 // Guarantee: the operands' layers are not changed. What they do not carry costs nothing.
 #pragma once
@@ -13,7 +13,7 @@
 namespace index_boolean {
 
 struct AttributeOptions {
-	bool partCurve = false;             // a vertex that both operands have becomes two
+	bool partCurve = false;             // a vertex that two operands have becomes two
 	bool selectCurve = false;           // new layers have their new vertices selected, no others
 	std::vector<const char*> reserved;  // names of attributes that the filter itself writes
 };
@@ -40,7 +40,7 @@ public:
 	void prepare(const SourcedMesh& mesh, const AttributeSources& sources,
 	             const PerOperand<bool>& turned, MeshModel& layer, ElementWriters& writers) const;
 
-	// Adds a sentence for each operand that lacks what the other carries.
+	// Adds a sentence for each operand that lacks what another carries.
 	void addMessages(const LayerNames& names, std::vector<std::string>& messages) const;
 
 private:

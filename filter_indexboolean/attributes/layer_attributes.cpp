@@ -6,7 +6,7 @@
 #include "attributes/layer_attributes.h"
 
 #include <algorithm>
-#include <set>
+#include <map>
 #include <typeindex>
 
 namespace index_boolean {
@@ -49,11 +49,20 @@ public:
 	std::vector<AttributeColumn> columns;
 
 private:
+	// Which operands it is true of; has(operand).
+	template <class Has>
+	PerOperand<bool> which(Has&& has) const {
+		PerOperand<bool> all(access_.operands().count());
+		for (const OperandId operand : all.operands()) {
+			all[operand] = has(operand);
+		}
+		return all;
+	}
 	PerOperand<bool> haveMask(int bit) const {
-		return {access_.layer(kFirst).hasDataMask(bit), access_.layer(kSecond).hasDataMask(bit)};
+		return which([&](OperandId operand) { return access_.layer(operand).hasDataMask(bit); });
 	}
 	void add(AttributeColumn column) {
-		if (column.has[kFirst] || column.has[kSecond]) {
+		if (std::find(column.has.begin(), column.has.end(), true) != column.has.end()) {
 			columns.push_back(std::move(column));
 		}
 	}
@@ -61,6 +70,8 @@ private:
 	void addVertices(const char* name, int bit, Value missing, Get get, Put put);
 	template <class Value, class Get, class Put>
 	void addFaces(const char* name, int bit, Value missing, Get get, Put put);
+	template <class Value, class AttributesOf, class Add>
+	void addAttributesOf(AttributesOf&& attributesOf, Add&& add);
 	template <class Value>
 	void addVertexAttribute(const std::string& name, Value missing);
 	template <class Value>
@@ -195,7 +206,7 @@ void ColumnList::addTextureCoordinates() {
 void ColumnList::addSelection() {
 	add(vertexColumn<bool>(
 	    access_, "",
-	    {access_.elements(kFirst).anyVertexSelected, access_.elements(kSecond).anyVertexSelected},
+	    which([&](OperandId operand) { return access_.elements(operand).anyVertexSelected; }),
 	    false,
 	    [&access = access_](OperandId operand, std::size_t v) {
 		    return access.mesh(operand).vert[v].IsS();
@@ -209,8 +220,7 @@ void ColumnList::addSelection() {
 	    }));
 	add(faceColumn<bool>(
 	    access_, "",
-	    {access_.elements(kFirst).anyFaceSelected, access_.elements(kSecond).anyFaceSelected},
-	    false,
+	    which([&](OperandId operand) { return access_.elements(operand).anyFaceSelected; }), false,
 	    [&access = access_](OperandId operand, std::size_t f) {
 		    return access.mesh(operand).face[f].IsS();
 	    },
@@ -237,28 +247,17 @@ bool isOf(const vcg::PointerToAttribute& attribute) {
 	return !attribute._name.empty() && attribute._type == std::type_index(typeid(Value));
 }
 
-// The names of the user's attributes of a type.
-template <class Value, class Attributes>
-std::set<std::string> namesOf(const Attributes& attributes) {
-	std::set<std::string> names;
-	for (const vcg::PointerToAttribute& attribute : attributes) {
-		if (isOf<Value>(attribute)) {
-			names.insert(attribute._name);
-		}
-	}
-	return names;
-}
-
 // A user's attribute of that name and type as each operand has it, or nullptr.
 struct AttributeArrays {
 	PerOperand<const vcg::SimpleTempDataBase*> of;
 
-	template <class Value, class Attributes>
-	static AttributeArrays find(const std::string& name, const Attributes& first,
-	                            const Attributes& second) {
-		AttributeArrays found;
-		for (const OperandId operand : found.of.operands()) {
-			for (const vcg::PointerToAttribute& a : operand == kFirst ? first : second) {
+	// \param attributesOf attributesOf(operand): all that the operand's vertices, or faces, have
+	template <class Value, class AttributesOf>
+	static AttributeArrays find(const std::string& name, Operands operands,
+	                            AttributesOf&& attributesOf) {
+		AttributeArrays found{PerOperand<const vcg::SimpleTempDataBase*>(operands.count())};
+		for (const OperandId operand : operands) {
+			for (const vcg::PointerToAttribute& a : attributesOf(operand)) {
 				if (isOf<Value>(a) && a._name == name) {
 					found.of[operand] = a._handle;
 				}
@@ -266,7 +265,6 @@ struct AttributeArrays {
 		}
 		return found;
 	}
-	PerOperand<bool> has() const { return {of[kFirst] != nullptr, of[kSecond] != nullptr}; }
 	template <class Value>
 	Value at(OperandId operand, std::size_t position) const {
 		return *static_cast<const Value*>(of[operand]->At(position));
@@ -276,9 +274,12 @@ struct AttributeArrays {
 template <class Value>
 void ColumnList::addVertexAttribute(const std::string& name, Value missing) {
 	const AttributeArrays arrays = AttributeArrays::find<Value>(
-	    name, access_.mesh(kFirst).vert_attr, access_.mesh(kSecond).vert_attr);
+	    name, access_.operands(), [this](OperandId o) -> const auto& {
+		    return access_.mesh(o).vert_attr;
+	    });
 	add(vertexColumn<Value>(
-	    access_, "vertex attribute \"" + name + "\"", arrays.has(), missing,
+	    access_, "vertex attribute \"" + name + "\"",
+	    which([&](OperandId operand) { return arrays.of[operand] != nullptr; }), missing,
 	    [arrays](OperandId operand, std::size_t v) { return arrays.at<Value>(operand, v); },
 	    [name](MeshModel& layer, const AttributeSources& sources) {
 		    auto out =
@@ -290,9 +291,12 @@ void ColumnList::addVertexAttribute(const std::string& name, Value missing) {
 template <class Value>
 void ColumnList::addFaceAttribute(const std::string& name, Value missing) {
 	const AttributeArrays arrays = AttributeArrays::find<Value>(
-	    name, access_.mesh(kFirst).face_attr, access_.mesh(kSecond).face_attr);
+	    name, access_.operands(), [this](OperandId o) -> const auto& {
+		    return access_.mesh(o).face_attr;
+	    });
 	add(faceColumn<Value>(
-	    access_, "face attribute \"" + name + "\"", arrays.has(), missing,
+	    access_, "face attribute \"" + name + "\"",
+	    which([&](OperandId operand) { return arrays.of[operand] != nullptr; }), missing,
 	    [arrays](OperandId operand, std::size_t f) { return arrays.at<Value>(operand, f); },
 	    [name](MeshModel& layer, const AttributeSources& sources) {
 		    auto out = index_boolean::addFaceAttribute<Value>(name, sources.face.size(), layer.cm);
@@ -300,36 +304,46 @@ void ColumnList::addFaceAttribute(const std::string& name, Value missing) {
 	    }));
 }
 
-// An attribute that the operands have under one name with different types is that of the first.
-template <class Value>
-void ColumnList::addUserAttributes(Value missing) {
-	const auto forEachFree = [this](const auto& first, const auto& second, const auto& add) {
-		std::set<std::string> names = namesOf<Value>(first);
-		names.merge(namesOf<Value>(second));
-		for (const std::string& name : names) {
-			const auto ofFirst = std::find_if(first.begin(), first.end(),
-			                                  [&](const auto& a) { return a._name == name; });
-			const bool isTaken =
-			    std::find(reserved_.begin(), reserved_.end(), name) != reserved_.end();
-			if (!isTaken &&
-			    (ofFirst == first.end() || ofFirst->_type == std::type_index(typeid(Value)))) {
-				add(name);
+// An attribute that operands have under one name with different types is that of the first of them.
+template <class Value, class AttributesOf, class Add>
+void ColumnList::addAttributesOf(AttributesOf&& attributesOf, Add&& add) {
+	std::map<std::string, bool> names;  // of all types; whether it is of this one
+	for (const OperandId operand : access_.operands()) {
+		for (const vcg::PointerToAttribute& attribute : attributesOf(operand)) {
+			if (!attribute._name.empty()) {
+				names.emplace(attribute._name, isOf<Value>(attribute));
 			}
 		}
-	};
-	const CMeshO &first = access_.mesh(kFirst), &second = access_.mesh(kSecond);
-	forEachFree(first.vert_attr, second.vert_attr,
-	            [&](const std::string& name) { addVertexAttribute(name, missing); });
-	forEachFree(first.face_attr, second.face_attr,
-	            [&](const std::string& name) { addFaceAttribute(name, missing); });
+	}
+	for (const auto& [name, isOfThisType] : names) {
+		const bool isTaken = std::find(reserved_.begin(), reserved_.end(), name) != reserved_.end();
+		if (isOfThisType && !isTaken) {
+			add(name);
+		}
+	}
+}
+
+template <class Value>
+void ColumnList::addUserAttributes(Value missing) {
+	addAttributesOf<Value>(
+	    [this](OperandId o) -> const auto& { return access_.mesh(o).vert_attr; },
+	    [&](const std::string& name) { addVertexAttribute(name, missing); });
+	addAttributesOf<Value>(
+	    [this](OperandId o) -> const auto& { return access_.mesh(o).face_attr; },
+	    [&](const std::string& name) { addFaceAttribute(name, missing); });
 }
 
 }  // namespace
 
 OperandElementsAccess::OperandElementsAccess(const PerOperand<MeshModel*>& layers,
                                              const OperandArrays& read)
-    : layers_{layers[kFirst], layers[kSecond]}, elements_(read.elements),
-      vertices_(verticesOf(elements_)), numberings_{numberingOf(kFirst), numberingOf(kSecond)} {}
+    : layers_(layers.size()), elements_(read.elements), vertices_(verticesOf(elements_)),
+      numberings_(layers.size()) {
+	std::copy(layers.begin(), layers.end(), layers_.begin());
+	for (const OperandId operand : layers.operands()) {
+		numberings_[operand] = numberingOf(operand);
+	}
+}
 
 VertexNumbering<CMeshO> OperandElementsAccess::numberingOf(OperandId operand) const {
 	return {mesh(operand), elements_[operand].vertices, vertices_.begin(operand)};
@@ -351,8 +365,9 @@ std::vector<AttributeColumn> attributeColumns(const OperandElementsAccess& acces
 AttributeColumn normalColumn(const OperandElementsAccess& access, PerOperand<bool> opposed) {
 	// A normal is turned by the cofactors: so it stays normal under any matrix, and on the side of
 	// its faces' fronts under one that mirrors.
-	PerOperand<std::array<Point3m, 3>> cofactors;
-	PerOperand<bool> isMoved;
+	PerOperand<std::array<Point3m, 3>> cofactors(access.operands().count());
+	PerOperand<bool> isMoved(access.operands().count()), has(access.operands().count());
+	std::fill(has.begin(), has.end(), true);
 	for (const OperandId operand : cofactors.operands()) {
 		const Matrix44m& matrix = access.mesh(operand).Tr;
 		const std::array<Point3m, 3> rows = rowsOf(matrix);
@@ -374,8 +389,7 @@ AttributeColumn normalColumn(const OperandElementsAccess& access, PerOperand<boo
 			layer.cm.vert[v].N() = (sources.turned[v] != 0) != opposed[operand] ? -normal : normal;
 		};
 	};
-	return vertexColumn<Point3m>(access, "vertex normals", {true, true}, Point3m(0, 0, 0), get,
-	                             prepare);
+	return vertexColumn<Point3m>(access, "vertex normals", has, Point3m(0, 0, 0), get, prepare);
 }
 
 }  // namespace index_boolean

@@ -37,7 +37,9 @@ bool namesTextures(const MeshModel& layer) {
 
 }  // namespace
 
-TextureList::TextureList(const PerOperand<MeshModel*>& layers) {
+TextureList::TextureList(const PerOperand<MeshModel*>& layers)
+    : numbers_(layers.size()), unnamed_(layers.size()) {
+	std::fill(unnamed_.begin(), unnamed_.end(), kNoTexture);
 	for (const OperandId operand : layers.operands()) {
 		for (LayerTexture& texture : texturesOf(*layers[operand])) {
 			const auto same = std::find(all_.begin(), all_.end(), texture);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Index Boolean authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// in: the textures of both operands' layers; out: one list without duplicates, and where each
+// in: the textures of the operands' layers; out: one list without duplicates, and where each
 // texture is in it.
 #pragma once
 
@@ -26,9 +26,11 @@ public:
 	void addTo(MeshModel& layer) const;
 
 private:
+	static constexpr short kNoTexture = -1;
+
 	std::vector<LayerTexture> all_;
 	PerOperand<std::vector<short>> numbers_;  // per texture of the operand's layer
-	PerOperand<short> unnamed_{-1, -1};       // what -1 means
+	PerOperand<short> unnamed_;               // what kNoTexture means
 };
 
 }  // namespace index_boolean

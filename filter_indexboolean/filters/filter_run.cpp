@@ -6,6 +6,8 @@
 
 #include "filters/generate_index_boolean.h"
 #include "filters/generate_index_boolean_curves.h"
+#include "filters/generate_index_boolean_expression.h"
+#include "filters/generate_index_boolean_resolve.h"
 #include "filters/generate_index_boolean_split.h"
 
 #include <vcg_ext/index_boolean.h>
@@ -24,6 +26,10 @@ FilterOutput runFilter(FilterId filter, const ParameterValues& values, MeshDocum
 		return generateIndexBooleanSplit(values, document, callback);
 	case FilterId::GenerateIndexBooleanCurves:
 		return generateIndexBooleanCurves(values, document, callback);
+	case FilterId::GenerateIndexBooleanExpression:
+		return generateIndexBooleanExpression(values, document, callback);
+	case FilterId::GenerateIndexBooleanResolve:
+		return generateIndexBooleanResolve(values, document, callback);
 	}
 	throw std::logic_error("no such filter");
 }

@@ -4,15 +4,12 @@
 // Parameters in, layers and result map out. The steps are in generateIndexBoolean.
 #include "filters/generate_index_boolean.h"
 
-#include "attributes/attribute_transfer.h"
+#include "filters/block_layers.h"
 #include "layers/curve_layer.h"
-#include "layers/layers.h"
-#include "layers/operand_layers.h"
 #include "runs/boolean_run.h"
 #include "runs/stopwatch.h"
 #include "texts/messages.h"
 
-#include <algorithm>
 #include <memory>
 #include <utility>
 
@@ -21,14 +18,6 @@ namespace index_boolean {
 namespace {
 
 constexpr FilterId kFilter = FilterId::GenerateIndexBoolean;
-
-Options readOptions(const ParameterValues& values) {
-	Options options = readSurfaceOptions(kFilter, values);
-	options.mergeFragments = values.getBool("merge_fragments");
-	options.mergeCoplanar = values.getBool("merge_coplanar");
-	options.weldNonManifold = values.getBool("weld_non_manifold");
-	return options;
-}
 
 std::vector<Operation> readOperations(const ParameterValues& values) {
 	std::vector<Operation> operations;
@@ -43,83 +32,31 @@ std::vector<Operation> readOperations(const ParameterValues& values) {
 	return operations;
 }
 
-// What carries the layers' attributes over, if that is wanted; completes the request and the arrays
-// by what it needs.
-std::unique_ptr<AttributeTransfer> attributeTransfer(const ParameterValues& values,
-                                                     const OperandLayers& operands,
-                                                     BooleanRequest& request, OperandArrays& read) {
-	if (!values.getBool("transfer_attributes")) {
-		return nullptr;
+std::vector<std::string> labelsOf(const std::vector<Operation>& operations,
+                                  const LayerNames& names) {
+	std::vector<std::string> labels;
+	for (const Operation operation : operations) {
+		labels.push_back(blockLabel(operation, names));
 	}
-	AttributeOptions options;
-	options.partCurve = values.getBool("duplicate_curve_vertices");
-	options.selectCurve = values.getBool("select_curve_vertices");
-	auto transfer = std::make_unique<AttributeTransfer>(operands.layers, read, options);
-	request.attributes = transfer->request();
-	if (request.options.mergeCoplanar) {
-		read.arrays.faceClass = transfer->faceClasses();
-	}
-	return transfer;
+	return labels;
 }
 
-// \param transfer nullptr: no attributes are wanted
-std::vector<LayerContent> contentsOf(const BooleanResult& result, const BooleanRequest& request,
-                                     const OperandArrays& read, const AttributeTransfer* transfer,
-                                     const LayerNames& names) {
-	std::vector<LayerContent> contents;
-	for (std::size_t i = 0; i < result.blocks.size(); ++i) {
-		const Block& block = result.blocks[i];
-		LayerContent content;
-		content.label = QString::fromStdString(blockLabel(block.operation, names));
-		content.surface = &block;
-		content.selectedFaces = &block.certificate.faces;
-		if (transfer != nullptr) {
-			content.prepareAttributes = [&result, &block, transfer, i](MeshModel& layer,
-			                                                           ElementWriters& writers) {
-				transfer->prepare(block, result.sources[i], result.report.insideOut, layer,
-				                  writers);
-			};
-		}
-		contents.push_back(std::move(content));
-	}
-	if (request.curves) {
-		contents.push_back(curveContent(result.curves, read, names));
-	}
-	return contents;
-}
-
-std::vector<int> idsOf(const std::vector<MeshModel*>& layers) {
-	std::vector<int> ids;
-	for (const MeshModel* layer : layers) {
-		ids.push_back(layer->id());
-	}
-	return ids;
-}
-
-std::vector<std::string> findings(const BooleanResult& result, OutputScalar scalar, bool curves,
+std::vector<std::string> findings(const BooleanResult& result, const BooleanRequest& request,
                                   const AttributeTransfer* transfer, const AdapterSeconds& seconds,
                                   const LayerNames& names) {
 	std::vector<std::string> messages = operandMessages(result.report, names);
 	if (transfer != nullptr) {
 		transfer->addMessages(names, messages);
 	}
+	const std::vector<std::string> labels = labelsOf(request.operations, names);
 	for (std::size_t i = 0; i < result.blocks.size(); ++i) {
 		const Block& block = result.blocks[i];
 		messages.push_back(block.triangles.empty()
 		                       ? emptyBlockMessage(block.operation, names)
-		                       : blockMessage(block, result.audit.blocks[i], names));
+		                       : blockMessage(labels[i], block, result.audit.blocks[i]));
 	}
-	for (const Block& block : result.blocks) {
-		if (!block.certificate.faces.empty()) {
-			messages.push_back(uncertifiedMessage(blockLabel(block.operation, names),
-			                                      block.certificate.faces.size(), scalar));
-		}
-	}
-	if (std::all_of(result.blocks.begin(), result.blocks.end(),
-	                [](const Block& block) { return block.certificate.count() == 0; })) {
-		messages.push_back(certifiedMessage(result.blocks.size(), scalar));
-	}
-	if (curves) {
+	addCertificateMessages(result, labels, request.options.outputScalar, messages);
+	if (request.curves) {
 		messages.push_back(curvesMessage(result.curves, result.report.loopCounts, names));
 	}
 	messages.push_back(timeMessage(seconds.total, result.report.seconds));
@@ -133,7 +70,7 @@ FilterOutput generateIndexBoolean(const ParameterValues& values, MeshDocument& d
 	const Stopwatch total;
 	const OperandLayers operands = findOperandLayers(kFilter, values, document);
 	BooleanRequest request;
-	request.options = readOptions(values);
+	request.options = readBlockOptions(kFilter, values);
 	request.operations = readOperations(values);
 	request.curves = values.getBool("curves");
 	Progress progress(progressCallback(callback));
@@ -151,15 +88,17 @@ FilterOutput generateIndexBoolean(const ParameterValues& values, MeshDocument& d
 
 	const Stopwatch writing;
 	std::vector<MeshModel*> layers;
-	const std::vector<LayerContent> contents =
-	    contentsOf(result, request, read, transfer.get(), operands.names);
+	std::vector<LayerContent> contents =
+	    blockContents(result, labelsOf(request.operations, operands.names), transfer.get());
+	if (request.curves) {
+		contents.push_back(curveContent(result.curves, read, operands.names));
+	}
 	refuseUnlessOk(addLayers(contents, progress, document, layers), operands.names);
 	seconds.writeLayers = writing.seconds();
 
 	seconds.total = total.seconds();
 	return {resultMap(result, idsOf(layers), seconds),
-	        findings(result, request.options.outputScalar, request.curves, transfer.get(), seconds,
-	                 operands.names)};
+	        findings(result, request, transfer.get(), seconds, operands.names)};
 }
 
 }  // namespace index_boolean

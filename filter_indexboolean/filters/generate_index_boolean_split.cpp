@@ -42,13 +42,13 @@ std::vector<const char*> attributeNames() {
 
 // The pieces' colours give way to the faces' own, if they have any.
 LayerContent contentOf(const SplitLayer& layer, const AttributeSources& sources,
-                       const AttributeTransfer& transfer) {
+                       const AttributeTransfer& transfer, std::size_t operands) {
 	LayerContent content;
 	content.label = QString::fromStdString(layer.label);
 	content.surface = &layer;
 	content.selectedFaces = &layer.certificate.faces;
-	content.prepareAttributes = [&](MeshModel& model, ElementWriters& writers) {
-		transfer.prepare(layer, sources, {false, false}, model, writers);
+	content.prepareAttributes = [&, operands](MeshModel& model, ElementWriters& writers) {
+		transfer.prepare(layer, sources, PerOperand<bool>(operands), model, writers);
 	};
 	for (std::size_t k = 0; k < layer.numbers.size(); ++k) {
 		if (static_cast<FaceNumber>(k) != FaceNumber::SubBlock ||
@@ -64,10 +64,10 @@ LayerContent contentOf(const SplitLayer& layer, const AttributeSources& sources,
 
 std::vector<LayerContent> contentsOf(const std::vector<SplitLayer>& layers,
                                      const std::vector<AttributeSources>& sources,
-                                     const AttributeTransfer& transfer) {
+                                     const AttributeTransfer& transfer, std::size_t operands) {
 	std::vector<LayerContent> contents;
 	for (std::size_t i = 0; i < layers.size(); ++i) {
-		contents.push_back(contentOf(layers[i], sources[i], transfer));
+		contents.push_back(contentOf(layers[i], sources[i], transfer, operands));
 	}
 	return contents;
 }
@@ -166,7 +166,8 @@ FilterOutput generateIndexBooleanSplit(const ParameterValues& values, MeshDocume
 	std::vector<AttributeSources> sources;
 	refuseUnlessOk(findLayerSources(transfer, progress, result, layers, sources), operands.names);
 	std::vector<MeshModel*> added;
-	refuseUnlessOk(addLayers(contentsOf(layers, sources, transfer), progress, document, added),
+	refuseUnlessOk(addLayers(contentsOf(layers, sources, transfer, operands.names.size()), progress,
+	                         document, added),
 	               operands.names);
 	seconds.writeLayers = writing.seconds();
 	seconds.total = total.seconds();

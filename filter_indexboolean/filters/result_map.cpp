@@ -21,9 +21,12 @@ std::string keyOf(std::string stage) {
 	return stage;
 }
 
-void addBlock(const Block& block, const BlockMeasure& measure, const PlaceRepair& repair,
-              int layerId, ResultMap& map) {
-	const std::string name = operationName(block.operation);
+// \param i which of the blocks \param name what its keys begin with
+void addBlock(const BlocksResult& result, std::size_t i, const std::string& name, int layerId,
+              ResultMap& map) {
+	const Block& block = result.blocks[i];
+	const BlockMeasure& measure = result.audit.blocks[i];
+	const PlaceRepair& repair = result.report.placeRepair;
 	map[name + "_layer"] = layerId;
 	map[name + "_volume"] = measure.volume;
 	map[name + "_area"] = measure.area;
@@ -145,8 +148,6 @@ void addIncidence(const CurveLines& curves, const SubSurfaces& surfaces, ResultM
 
 // What every filter reports.
 void addReport(const RunReport& report, const AdapterSeconds& adapter, ResultMap& map) {
-	map["self_intersecting_faces_first"] = toInt(report.selfIntersecting[kFirst]);
-	map["self_intersecting_faces_second"] = toInt(report.selfIntersecting[kSecond]);
 	map["labelled_by_cells"] = report.isLabelledByCells;
 	map["loops_open"] = toInt(report.loopCounts.open);
 	map["loops_hard_closed"] = toInt(report.loopCounts.hardClosed);
@@ -160,21 +161,59 @@ void addReport(const RunReport& report, const AdapterSeconds& adapter, ResultMap
 	map["seconds_total"] = adapter.total;
 }
 
+// Of two operands.
+void addSelfIntersecting(const RunReport& report, ResultMap& map) {
+	map["self_intersecting_faces_first"] = toInt(report.selfIntersecting[kFirst]);
+	map["self_intersecting_faces_second"] = toInt(report.selfIntersecting[kSecond]);
+}
+
+// What every filter reports that makes blocks.
+void addBlocksReport(const BlocksResult& result, const AdapterSeconds& seconds, ResultMap& map) {
+	map["volume_law_residual"] = result.audit.volumeLawResidual;
+	map["zero_area_faces_removed"] = toInt(zeroAreaFacesRemoved(result.blocks));
+	addReport(result.report, seconds, map);
+}
+
 }  // namespace
 
 ResultMap resultMap(const BooleanResult& result, const std::vector<int>& layerIds,
                     const AdapterSeconds& seconds) {
 	ResultMap map;
 	for (std::size_t i = 0; i < result.blocks.size(); ++i) {
-		addBlock(result.blocks[i], result.audit.blocks[i], result.report.placeRepair, layerIds[i],
-		         map);
+		addBlock(result, i, operationName(result.blocks[i].operation), layerIds[i], map);
 	}
-	map["volume_law_residual"] = result.audit.volumeLawResidual;
-	map["zero_area_faces_removed"] = toInt(zeroAreaFacesRemoved(result.blocks));
-	addReport(result.report, seconds, map);
+	addBlocksReport(result, seconds, map);
+	addSelfIntersecting(result.report, map);
 	if (layerIds.size() > result.blocks.size()) {
 		addLoops(result.curves, layerIds.back(), map);
 	}
+	return map;
+}
+
+ResultMap resultMap(const ExpressionResult& result, const LayerNames& operands,
+                    const std::vector<int>& layerIds, const AdapterSeconds& seconds) {
+	ResultMap map;
+	map["results"] = toInt(result.blocks.size());
+	for (std::size_t i = 0; i < result.blocks.size(); ++i) {
+		addBlock(result, i, "result_" + std::to_string(i), layerIds[i], map);
+	}
+	map["operands"] = toInt(operands.size());
+	map["operand_layers"] = listOf(operands, [](const LayerName& layer) { return layer.id; });
+	map["self_intersecting_faces"] =
+	    listOf(result.report.selfIntersecting, [](std::size_t faces) { return faces; });
+	map["cells"] = toInt(result.cells);
+	addBlocksReport(result, seconds, map);
+	if (layerIds.size() > result.blocks.size()) {
+		addLoops(result.curves, layerIds.back(), map);
+	}
+	return map;
+}
+
+ResultMap resultMap(const ExpressionResult& result, int layerId, const AdapterSeconds& seconds) {
+	ResultMap map;
+	addBlock(result, 0, "resolved", layerId, map);
+	map["self_intersecting_faces"] = toInt(result.report.selfIntersecting[kFirst]);
+	addBlocksReport(result, seconds, map);
 	return map;
 }
 
@@ -199,12 +238,14 @@ ResultMap resultMap(const SplitResult& result, const PieceLayers& layerIds,
 	map["zero_area_faces_removed"] = toInt(zeroAreaFacesRemoved(result.surfaceMeshes) +
 	                                       zeroAreaFacesRemoved(result.blockMeshes));
 	addReport(result.report, seconds, map);
+	addSelfIntersecting(result.report, map);
 	return map;
 }
 
 ResultMap resultMap(const CurvesResult& result, int layerId, const AdapterSeconds& seconds) {
 	ResultMap map;
 	addReport(result.report, seconds, map);
+	addSelfIntersecting(result.report, map);
 	addLoops(result.curves, layerId, map);
 	addIncidence(result.curves, result.surfaces, map);
 	return map;

@@ -7,8 +7,10 @@
 
 #include "runs/boolean_run.h"
 #include "runs/curves_run.h"
+#include "runs/expression_run.h"
 #include "runs/split_run.h"
 #include "texts/filter_definitions.h"
+#include "texts/layer_names.h"
 
 #include <QVariant>
 
@@ -28,6 +30,13 @@ struct AdapterSeconds {
 // \param layerIds the id of each block's layer, in the order of result.blocks; then the curves'
 ResultMap resultMap(const BooleanResult& result, const std::vector<int>& layerIds,
                     const AdapterSeconds& seconds);
+
+// \param operands the layers of the expression's operands
+ResultMap resultMap(const ExpressionResult& result, const LayerNames& operands,
+                    const std::vector<int>& layerIds, const AdapterSeconds& seconds);
+
+// The same of one layer that has been resolved.
+ResultMap resultMap(const ExpressionResult& result, int layerId, const AdapterSeconds& seconds);
 
 // The ids of the layers of each kind of pieces; none of what was not asked for.
 using PieceLayers = std::array<std::vector<int>, kPieceKindCount>;

@@ -24,9 +24,15 @@ ScalarAttribute perVertex(const char* name, const CurveLines& curves, Number&& n
 
 LayerContent curveContent(const CurveLines& curves, const OperandArrays& read,
                           const LayerNames& names) {
-	const auto source = [&](const char* name, OperandId operand) {
-		return perVertex(name, curves, [&, operand](std::size_t vertex) {
-			return read.elements[operand].faces[curves.sources[vertex][operand.value]];
+	const auto source = [&](const char* name, std::size_t side) {
+		return perVertex(name, curves, [&, side](std::size_t vertex) {
+			const OperandId operand = curves.operands[vertex][side];
+			return read.elements[operand].faces[curves.sources[vertex][side]];
+		});
+	};
+	const auto operand = [&](const char* name, std::size_t side) {
+		return perVertex(name, curves, [&, side](std::size_t vertex) {
+			return curves.operands[vertex][side].value;
 		});
 	};
 	LayerContent content;
@@ -36,9 +42,13 @@ LayerContent curveContent(const CurveLines& curves, const OperandArrays& read,
 	    perVertex("loop", curves, [&](std::size_t vertex) { return curves.line[vertex]; }),
 	    perVertex("loop_kind", curves,
 	              [&](std::size_t vertex) { return curves.lines[curves.line[vertex]].kind; }),
-	    source("source_face_first", kFirst),
-	    source("source_face_second", kSecond),
+	    source("source_face_first", 0),
+	    source("source_face_second", 1),
 	};
+	if (names.size() != 2) {
+		content.vertexAttributes.push_back(operand("source_mesh_first", 0));
+		content.vertexAttributes.push_back(operand("source_mesh_second", 1));
+	}
 	return content;
 }
 

@@ -14,6 +14,9 @@ namespace {
 
 constexpr double kReadShare = 0.05, kWriteShare = 0.15;
 
+// The attribute of a whole mesh that is the mark of a result.
+const char* const kResultMark = "index_boolean_result";
+
 // Layers that vanish again, with the old one current, unless they are kept.
 class NewLayers {
 public:
@@ -37,6 +40,7 @@ public:
 		layers_.reserve(layers_.size() + 1);
 		constexpr bool kMakeCurrent = false;
 		layers_.push_back(document_.addNewMesh(QString(), label, kMakeCurrent));
+		vcg::tri::Allocator<CMeshO>::AddPerMeshAttribute<bool>(layers_.back()->cm, kResultMark);
 	}
 
 	const std::vector<MeshModel*>& layers() const { return layers_; }
@@ -106,6 +110,8 @@ Status readLayers(const PerOperand<MeshModel*>& layers, Progress& progress, Oper
 			vertices += static_cast<std::size_t>(layer->cm.vn);
 			faces += static_cast<std::size_t>(layer->cm.fn);
 		}
+		out.arrays = noArrays(layers.size());
+		out.elements = PerOperand<OperandElements>(layers.size());
 		out.arrays.points.reserve(vertices);
 		out.arrays.triangles.reserve(faces);
 		for (const OperandId operand : layers.operands()) {
@@ -119,6 +125,10 @@ Status readLayers(const PerOperand<MeshModel*>& layers, Progress& progress, Oper
 	} catch (const std::bad_alloc&) {
 		return statusOf(StatusCode::OutOfMemory);
 	}
+}
+
+bool isResultLayer(const MeshModel& layer) {
+	return vcg::tri::HasPerMeshAttribute(layer.cm, kResultMark);
 }
 
 void selectFaces(const std::vector<std::uint32_t>& faces, const LiveElements& live,

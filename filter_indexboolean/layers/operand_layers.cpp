@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Index Boolean authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Both layers are found and named before anything is read from them.
+// All layers are found and named before anything is read from them.
 #include "layers/operand_layers.h"
 
 #include <utility>
@@ -35,6 +35,35 @@ OperandLayers findOperandLayers(FilterId filter, const ParameterValues& values,
 	operands.names = {nameOf(*operands.layers[kFirst]), nameOf(*operands.layers[kSecond])};
 	if (operands.layers[kFirst] == operands.layers[kSecond]) {
 		throw Refusal(sameLayerMessage(operands.names[kFirst]));
+	}
+	return operands;
+}
+
+LayerDirectory layerDirectory(const MeshDocument& document) {
+	std::vector<ListedLayer> layers;
+	for (const MeshModel* layer : layersOf(document)) {
+		layers.push_back({nameOf(*layer), layer->label().toStdString(), layer->isVisible(),
+		                  layer->cm.fn > 0, isResultLayer(*layer)});
+	}
+	return LayerDirectory(std::move(layers));
+}
+
+LayerName layerGiven(FilterId filter, const char* parameter, const ParameterValues& values,
+                     MeshDocument& document) {
+	return nameOf(*findOperand(filter, parameter, values, document));
+}
+
+void hideLayers(const OperandLayers& operands) {
+	for (MeshModel* layer : operands.layers) {
+		hideLayer(*layer);
+	}
+}
+
+OperandLayers layersNamed(const std::vector<LayerName>& names, MeshDocument& document) {
+	OperandLayers operands{PerOperand<MeshModel*>(names.size()), LayerNames(names.size())};
+	for (const OperandId operand : operands.names.operands()) {
+		operands.names[operand] = names[operand.value];
+		operands.layers[operand] = findLayer(document, names[operand.value].id);
 	}
 	return operands;
 }

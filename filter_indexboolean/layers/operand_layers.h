@@ -1,12 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The Index Boolean authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What the filters have in common: two layers of the document, by the parameters first_mesh and
-// second_mesh, and the refusals that speak of them.
+// What the filters have in common: layers of the document, two by the parameters first_mesh and
+// second_mesh or any number by a list, and the refusals that speak of them.
 #pragma once
 
 #include "layers/layers.h"
 #include "runs/progress.h"
+#include "texts/layer_list.h"
 #include "texts/parameter_values.h"
 #include "texts/refusal.h"
 
@@ -19,9 +20,23 @@ struct OperandLayers {
 	LayerNames names;
 };
 
-// The two layers that the parameters name; throws Refusal unless there are two.
+// The two layers that the parameters first_mesh and second_mesh name; throws Refusal unless there
+// are two.
 OperandLayers findOperandLayers(FilterId filter, const ParameterValues& values,
                                 MeshDocument& document);
+
+// What there is to know of all layers of the document, in its order, for lists of layers.
+LayerDirectory layerDirectory(const MeshDocument& document);
+
+// The layer that a parameter names; throws Refusal if there is none.
+LayerName layerGiven(FilterId filter, const char* parameter, const ParameterValues& values,
+                     MeshDocument& document);
+
+// Makes the layers invisible.
+void hideLayers(const OperandLayers& operands);
+
+// The layers of the document that have been named, in that order. \pre each once, and it is there
+OperandLayers layersNamed(const std::vector<LayerName>& names, MeshDocument& document);
 
 // The parameter's number; throws Refusal if it is out of the range of its definition.
 int numberInRange(FilterId filter, const char* name, const ParameterValues& values);
@@ -43,7 +58,7 @@ void refuseDefect(const Status& status, const OperandArrays& read, const Operand
 // \param read what has been read of them, of which the classes of faces are kept
 InputAgain inputAgain(const OperandLayers& operands, const OperandArrays& read, Progress& progress);
 
-// Both operands' arrays; throws Refusal if they cannot be read.
+// The operands' arrays; throws Refusal if they cannot be read.
 OperandArrays readOperands(const OperandLayers& operands, Progress& progress);
 
 }  // namespace index_boolean

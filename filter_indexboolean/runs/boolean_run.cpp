@@ -1,49 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The Index Boolean authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// One arrangement, then each block from it, then the audit.
+// One arrangement, then each operation's block from it.
 #include "runs/boolean_run.h"
 
 #include <utility>
 
 namespace index_boolean {
-
-namespace {
-
-Status extractBlocks(const Arrangement& arrangement, const std::vector<Operation>& operations,
-                     Progress& progress, std::vector<Block>& blocks) {
-	blocks.resize(operations.size());
-	for (std::size_t i = 0; i < operations.size(); ++i) {
-		Monitor monitor = progress.nextPhase(kBlocksShare / static_cast<double>(operations.size()));
-		const Status status = extractBlock(arrangement, operations[i], monitor, blocks[i]);
-		if (!status.ok()) {
-			return status;
-		}
-	}
-	return {};
-}
-
-// Adds up what each stage took for all blocks.
-void addBlockTimes(const std::vector<Block>& blocks, std::vector<StageTime>& times) {
-	const std::size_t first = times.size();
-	for (const Block& block : blocks) {
-		for (std::size_t i = 0; i < block.stageTimes.size(); ++i) {
-			if (first + i == times.size()) {
-				times.push_back({block.stageTimes[i].stage, 0});
-			}
-			times[first + i].seconds += block.stageTimes[i].seconds;
-		}
-	}
-}
-
-// Certificates suppose operands that do not meet themselves.
-void forgetCertificates(std::vector<Block>& blocks) {
-	for (Block& block : blocks) {
-		block.certificate = Certificate{};
-	}
-}
-
-}  // namespace
 
 Status runBoolean(MeshArrays input, const InputAgain& again, const BooleanRequest& request,
                   Progress& progress, BooleanResult& result) {
@@ -56,41 +19,15 @@ Status runBoolean(MeshArrays input, const InputAgain& again, const BooleanReques
 		return status;
 	}
 	result.report = reportOf(arrangement);
-
-	status = extractBlocks(arrangement, request.operations, progress, result.blocks);
-	if (!status.ok()) {
-		return status;
-	}
-	addBlockTimes(result.blocks, result.report.stageTimes);
-	if (!arrangement.areOperandsKnown()) {
-		forgetCertificates(result.blocks);
-	}
-
-	const Stopwatch auditTime;
-	Monitor auditing = progress.nextPhase(kAuditShare);
-	auditing.beginStage("audit", 0, 1);
-	status = audit(arrangement, result.blocks, auditing, result.audit);
-	if (!status.ok()) {
-		return status;
-	}
-	result.report.addStage("audit", auditTime);
-
-	// Vertices that part here have been audited as one: a block is closed across its seams.
-	const Stopwatch sourcesTime;
-	Monitor finding = progress.nextPhase(kSourcesShare);
-	if (request.attributes.given) {
-		status =
-		    findSources(arrangement, request.attributes, finding, result.blocks, result.sources);
-	}
-	if (!status.ok()) {
-		return status;
-	}
-	result.report.addStage("attributes", sourcesTime);
-
-	if (request.curves) {
-		Monitor drawing = progress.nextPhase(kCurvesShare);
-		status = extractCurve(arrangement, drawing, result.curves);
-	}
+	const BlockReader reader{request.operations.size(),
+	                         [&](std::size_t i, Monitor& monitor, Block& out) {
+		                         return extractBlock(arrangement, request.operations[i], monitor,
+		                                             out);
+	                         },
+	                         [&](const std::vector<Block>& blocks, Monitor& monitor, Audit& out) {
+		                         return audit(arrangement, blocks, monitor, out);
+	                         }};
+	status = readBlocks(arrangement, reader, request, progress, result);
 	result.report.seconds = total.seconds();
 	return status;
 }

@@ -4,6 +4,8 @@
 // The texts and defaults of the filters and their parameters.
 #include "texts/filter_definitions.h"
 
+#include "texts/text_place.h"
+
 #include <algorithm>
 #include <cctype>
 
@@ -52,8 +54,60 @@ const char* const kSplitHelp =
     "the order of vertices and faces.<br>"
     "The layers' matrices are applied. A layer that meets itself is cut by itself, too.<br>";
 
+const char* const kExpressionHelp =
+    "Intersects <b>any number of closed layers once</b> and adds a new layer for each statement of "
+    "an expression over them.<br>"
+    "<b>Layers</b> are named by id (<tt>3</tt>) or by label in double quotes "
+    "(<tt>\"left wall\"</tt>; <tt>\\\"</tt> is a quote in it). <tt>visible</tt> and <tt>all</tt> "
+    "are lists of layers, but for those without faces and those that this plugin has made.<br>"
+    "<b>Operators</b>, in Python's precedence: <tt>~a</tt> not; <tt>a * b</tt>, <tt>a &amp; b</tt> "
+    "both; <tt>a + b</tt>, <tt>a | b</tt> one or both; <tt>a - b</tt> first and not second; "
+    "<tt>a ^ b</tt> one of them.<br>"
+    "<b>Functions</b> take layers, lists and expressions: <tt>union</tt>, <tt>intersection</tt>, "
+    "<tt>difference</tt> (the first without all others), <tt>xor</tt> (an odd number of them), "
+    "<tt>at_least(2, all)</tt>. Behind a single layer that comes first a list leaves that one out: "
+    "<tt>difference(3, all)</tt>. Of one layer that meets itself: <tt>odd(a)</tt>, "
+    "<tt>positive(a)</tt>, <tt>nonzero(a)</tt> and <tt>winding(a, 2)</tt>, around which the layer "
+    "winds at least twice.<br>"
+    "<b>Statements</b> are separated by <tt>;</tt> and may have a name, which is the label of the "
+    "new layer and can be used in later ones: "
+    "<tt>walls = 0 - 1; rest = at_least(2, all) - walls</tt>.<br>"
+    "<b>Grammar:</b><pre>"
+    "text      = statement { \";\" statement } [ \";\" ]\n"
+    "statement = [ name \"=\" ] or\n"
+    "or        = xor { \"|\" xor }\n"
+    "xor       = and { \"^\" and }\n"
+    "and       = sum { \"&amp;\" sum }\n"
+    "sum       = product { (\"+\" | \"-\") product }\n"
+    "product   = factor { \"*\" factor }\n"
+    "factor    = \"~\" factor | \"(\" or \")\" | operand | name | call\n"
+    "call      = (\"union\" | \"intersection\" | \"difference\" | \"xor\")\n"
+    "                \"(\" item { \",\" item } \")\"\n"
+    "          | \"at_least\" \"(\" digits \",\" item { \",\" item } \")\"\n"
+    "          | \"winding\" \"(\" operand \",\" [ \"-\" ] digits \")\"\n"
+    "          | (\"odd\" | \"positive\" | \"nonzero\") \"(\" operand \")\"\n"
+    "item      = \"visible\" | \"all\" | or\n"
+    "operand   = digits | '\"' { any but \" and \\ | \\\" | \\\\ } '\"'\n"
+    "name      = letter or _ { letter, digit or _ }</pre>"
+    "What does not read is refused, with the place. A statement that is true of the outside is, "
+    "too; a part of it may be.<br>"
+    "<b>Exact:</b> there is no tolerance; new points are rounded once, and the new layers are "
+    "closed. The layers must be closed; one that meets itself is what its winding rule calls "
+    "inside. Their matrices are applied. An empty result is an empty layer.<br>";
+
+const char* const kResolveHelp =
+    "Makes <b>one layer that meets itself into a surface that does not</b>: the boundary of what "
+    "its winding rule calls inside. Overlapping parts become one, walls inside go.<br>"
+    "<b>Outer hull:</b> inside is all that cannot be reached from outside, so cavities are filled, "
+    "too.<br>"
+    "<b>Exact:</b> there is no tolerance; new points are rounded once, faces that are not cut keep "
+    "every bit of their coordinates. The layer must be closed; an open one is refused, with its "
+    "border selected. Its matrix is applied.<br>";
+
 constexpr ParameterKind kBool = ParameterKind::Bool, kInt = ParameterKind::Int,
-                        kChoice = ParameterKind::Choice;
+                        kChoice = ParameterKind::Choice, kText = ParameterKind::Text;
+
+using ParameterList = std::vector<ParameterDefinition>;
 
 ParameterDefinition layerParameter(const char* name, int position, const char* label,
                                    const char* help) {
@@ -128,6 +182,16 @@ const ParameterDefinition kCertifyAs{
     "is saved as such is what has been certified.",
     {"host", "float"}};
 
+const ParameterDefinition kHideOperands{
+    "hide_operands",
+    kBool,
+    0,
+    0,
+    1,
+    false,
+    "Hide the operands",
+    "The layers that have been used are made invisible, so that the new ones can be seen."};
+
 const ParameterDefinition kOctreeMaxDepth{
     "octree_max_depth",
     kInt,
@@ -151,13 +215,59 @@ const ParameterDefinition kOctreeLeafSize{
     "square of this number: 0 to 1000. 0 lets the cost decide. Changes the running time, never the "
     "result."};
 
+// How a block is finished, and what layers that meet themselves are: the same in all filters that
+// make blocks.
+ParameterList blockParameters() {
+	return {
+	    {"merge_fragments", kBool, 1, 0, 1, false, "Merge fragments",
+	     "Cuts that separate nothing in a block are undone: fragments of one face become one "
+	     "again, and new points on its edges that serve nothing are dropped. Off: all cuts "
+	     "stay, so that blocks that touch have the same faces there."},
+	    {"merge_coplanar", kBool, 0, 0, 1, false, "Merge coplanar faces",
+	     "Neighbouring faces of a block that are exactly coplanar are merged too, and vertices "
+	     "inside straight edges are dropped: the fewest faces, at the cost of vertices and "
+	     "edges of the layers. Off: vertices of the layers stay."},
+	    {"weld_non_manifold", kBool, 0, 0, 1, false, "Weld non-manifold vertices",
+	     "Where a block meets itself in an edge or a vertex, it keeps one vertex instead of "
+	     "copies: edges with four faces. Off: copies of vertices pull the faces apart, so that "
+	     "each block is a manifold mesh."},
+	    kSelfIntersections,
+	    kWindingRule,
+	    kCertify,
+	    kCertifyAs,
+	    {"transfer_attributes", kBool, 1, 0, 1, false, "Transfer attributes",
+	     "Whatever the layers carry is carried over: colours, qualities, normals, radii, "
+	     "curvature directions, texture coordinates with their textures, selection, and the "
+	     "user's scalar and point attributes. What is not cut keeps its values bit by bit, new "
+	     "vertices get those of the exact place in their face. Faces also get "
+	     "source_mesh (the layer's number: 0 the first, 1 the second, ...) and source_face, "
+	     "vertices source_mesh and source_vertex (-1: new)."},
+	    {"duplicate_curve_vertices", kBool, 0, 0, 1, false, "Duplicate curve vertices",
+	     "Where faces of different layers meet, each side gets vertices of its own, with the "
+	     "values "
+	     "of its own layer: hard edges in colours and normals. The blocks are closed once "
+	     "equal "
+	     "vertices are welded. Off: both sides share vertices, which have the values of the "
+	     "first of them. Only with transfer_attributes."},
+	    {"select_curve_vertices", kBool, 0, 0, 1, false, "Select curve vertices",
+	     "The new layers' new vertices, which lie on the intersection curves, are left "
+	     "selected, and no others. Only with transfer_attributes."},
+	};
+}
+
+// Of two lists of parameters, one behind the other.
+ParameterList operator+(ParameterList list, const ParameterList& more) {
+	list.insert(list.end(), more.begin(), more.end());
+	return list;
+}
+
 FilterDefinition booleanDefinition() {
 	return {
 	    FilterId::GenerateIndexBoolean,
 	    "generate_index_boolean",
 	    "Index Boolean: Union, Intersection and Differences",
 	    std::string(kBooleanHelp) + kPaper,
-	    {
+	    ParameterList{
 	        kFirstSolid,
 	        kSecondSolid,
 	        {"union", kBool, 1, 0, 1, false, "Union",
@@ -170,43 +280,15 @@ FilterDefinition booleanDefinition() {
 	         "A new layer with the boundary of all that is inside B and not inside A."},
 	        {"symmetric_difference", kBool, 0, 0, 1, false, "Symmetric difference",
 	         "A new layer with the boundary of all that is inside exactly one of A and B."},
-	        {"merge_fragments", kBool, 1, 0, 1, false, "Merge fragments",
-	         "Cuts that separate nothing in a block are undone: fragments of one face become one "
-	         "again, and new points on its edges that serve nothing are dropped. Off: all cuts "
-	         "stay, so that blocks that touch have the same faces there."},
-	        {"merge_coplanar", kBool, 0, 0, 1, false, "Merge coplanar faces",
-	         "Neighbouring faces of a block that are exactly coplanar are merged too, and vertices "
-	         "inside straight edges are dropped: the fewest faces, at the cost of vertices and "
-	         "edges of the layers. Off: vertices of the layers stay."},
-	        {"weld_non_manifold", kBool, 0, 0, 1, false, "Weld non-manifold vertices",
-	         "Where a block meets itself in an edge or a vertex, it keeps one vertex instead of "
-	         "copies: edges with four faces. Off: copies of vertices pull the faces apart, so that "
-	         "each block is a manifold mesh."},
-	        kSelfIntersections,
-	        kWindingRule,
-	        kCertify,
-	        kCertifyAs,
-	        {"transfer_attributes", kBool, 1, 0, 1, false, "Transfer attributes",
-	         "Whatever the layers carry is carried over: colours, qualities, normals, radii, "
-	         "curvature directions, texture coordinates with their textures, selection, and the "
-	         "user's scalar and point attributes. What is not cut keeps its values bit by bit, new "
-	         "vertices get those of the exact place in their face. Faces also get source_mesh (0 "
-	         "first, 1 second) and source_face, vertices source_mesh and source_vertex (-1: new)."},
-	        {"duplicate_curve_vertices", kBool, 0, 0, 1, false, "Duplicate curve vertices",
-	         "Where faces of both layers meet, each side gets vertices of its own, with the values "
-	         "of its own layer: hard edges in colours and normals. The blocks are closed once "
-	         "equal "
-	         "vertices are welded. Off: both sides share vertices, which have the values of the "
-	         "first layer. Only with transfer_attributes."},
-	        {"select_curve_vertices", kBool, 0, 0, 1, false, "Select curve vertices",
-	         "The new layers' new vertices, which lie on the intersection curves, are left "
-	         "selected, and no others. Only with transfer_attributes."},
-	        {"curves", kBool, 0, 0, 1, false, "Intersection curves",
-	         "A new layer with the lines in which A and B meet, as polylines: the same as that of "
-	         "\"Index Boolean: Intersection Curves\" (generate_index_boolean_curves)."},
-	        kOctreeMaxDepth,
-	        kOctreeLeafSize,
-	    },
+	    } + blockParameters() +
+	        ParameterList{
+	            {"curves", kBool, 0, 0, 1, false, "Intersection curves",
+	             "A new layer with the lines in which A and B meet, as polylines: the same as that "
+	             "of "
+	             "\"Index Boolean: Intersection Curves\" (generate_index_boolean_curves)."},
+	            kOctreeMaxDepth,
+	            kOctreeLeafSize,
+	        },
 	};
 }
 
@@ -259,6 +341,57 @@ FilterDefinition curvesDefinition() {
 	};
 }
 
+FilterDefinition expressionDefinition() {
+	return {
+	    FilterId::GenerateIndexBooleanExpression,
+	    "generate_index_boolean_expression",
+	    "Index Boolean: Expression over Layers",
+	    std::string(kExpressionHelp) + kPaper,
+	    ParameterList{
+	        {"expression",
+	         kText,
+	         0,
+	         0,
+	         0,
+	         false,
+	         "Expression",
+	         "What the new layers hold, for example 0 - 1, or union(visible), or "
+	         "walls = 0 - 1; rest = at_least(2, all) - walls. Layers are named by their ids, or by "
+	         "their labels in double quotes. The filter's help has the grammar.",
+	         {},
+	         "union(visible)"},
+	    } + blockParameters() +
+	        ParameterList{
+	            {"curves", kBool, 0, 0, 1, false, "Intersection curves",
+	             "A new layer with the lines in which different layers meet, as polylines."},
+	            kHideOperands,
+	            kOctreeMaxDepth,
+	            kOctreeLeafSize,
+	        },
+	};
+}
+
+FilterDefinition resolveDefinition() {
+	return {
+	    FilterId::GenerateIndexBooleanResolve,
+	    "generate_index_boolean_resolve",
+	    "Index Boolean: Resolve Self-intersections",
+	    std::string(kResolveHelp) + kPaper,
+	    ParameterList{
+	        layerParameter("mesh", ParameterDefinition::kCurrentLayer, "Layer",
+	                       "The layer, A: a closed surface that may meet itself."),
+	        {"outer_hull", kBool, 0, 0, 1, false, "Outer hull",
+	         "Inside is all that cannot be reached from outside: cavities are filled, and walls "
+	         "inside go, whatever the winding rule says. Off: inside is what the winding rule "
+	         "calls so."},
+	    } + blockParameters() +
+	        ParameterList{
+	            kOctreeMaxDepth,
+	            kOctreeLeafSize,
+	        },
+	};
+}
+
 // The end of a file's name, as in "ply" and "3ds", rather than of a number, as in "25" or "5 cube".
 bool isFileSuffix(const std::string& text) {
 	constexpr std::size_t kLongest = 4;
@@ -280,6 +413,8 @@ std::string nameInLabel(std::string label) {
 	return label;
 }
 
+constexpr std::size_t kLongestLabel = 60;
+
 std::string joinedLabel(const LayerName& left, const char* infix, const LayerName& right) {
 	return nameInLabel(left.label) + " " + infix + " " + nameInLabel(right.label);
 }
@@ -290,8 +425,9 @@ const char* const kPluginName = "FilterIndexBoolean";
 const char* const kVendor = "The Index Boolean authors";
 
 const std::vector<FilterDefinition>& filterDefinitions() {
-	static const std::vector<FilterDefinition> definitions{booleanDefinition(), splitDefinition(),
-	                                                       curvesDefinition()};
+	static const std::vector<FilterDefinition> definitions{
+	    booleanDefinition(), splitDefinition(), curvesDefinition(), expressionDefinition(),
+	    resolveDefinition()};
 	return definitions;
 }
 
@@ -324,7 +460,21 @@ std::string splitLabel(PieceKind kind, const LayerNames& layers) {
 }
 
 std::string curvesLabel(const LayerNames& layers) {
+	if (layers.size() != 2) {
+		return "curves of " + std::to_string(layers.size()) +
+		       (layers.size() == 1 ? " layer" : " layers");
+	}
 	return joinedLabel(layers[kFirst], "curves", layers[kSecond]);
 }
+
+std::string statementLabel(const Statement& statement) {
+	std::string label = statement.name.empty() ? statement.text : statement.name;
+	std::replace(label.begin(), label.end(), '.', '_');
+	std::replace_if(
+	    label.begin(), label.end(), [](unsigned char c) { return c < ' '; }, ' ');
+	return shortened(label, kLongestLabel);
+}
+
+std::string resolvedLabel(const LayerName& layer) { return nameInLabel(layer.label) + " resolved"; }
 
 }  // namespace index_boolean

@@ -15,17 +15,21 @@
 
 namespace index_boolean {
 
-enum class ParameterKind { Layer, Bool, Int, Choice };
+enum class ParameterKind { Layer, Bool, Int, Choice, Text };
 
 struct ParameterDefinition {
+	static constexpr int kCurrentLayer = -1;
+
 	const char* name;
 	ParameterKind kind;
-	int defaultValue;  // Layer: the position in the document; Bool: 0 or 1; Choice: which of them
+	// Layer: the position in the document, or kCurrentLayer; Bool: 0 or 1; Choice: which of them
+	int defaultValue;
 	int minimum, maximum;  // Int: the values that are accepted
 	bool advanced;
 	const char* label;
 	const char* help;
 	std::vector<const char*> choices = {};  // Choice: the words to choose from
+	const char* defaultText = "";           // Text
 };
 
 // What results are certified as, in the order of the parameter certify_as.
@@ -35,6 +39,8 @@ enum class FilterId {
 	GenerateIndexBoolean,
 	GenerateIndexBooleanSplit,
 	GenerateIndexBooleanCurves,
+	GenerateIndexBooleanExpression,
+	GenerateIndexBooleanResolve,
 };
 
 struct FilterDefinition {
@@ -88,8 +94,14 @@ constexpr std::array<const char*, kPieceKindCount> kPieceNames{
 // The label of a layer of pieces: "A cut by B", "B cut by A", "A blocks B".
 std::string splitLabel(PieceKind kind, const LayerNames& layers);
 
-// The label of the polylines' layer: "A curves B".
+// The label of the polylines' layer: "A curves B"; of other than two layers, how many they are.
 std::string curvesLabel(const LayerNames& layers);
+
+// The label of a statement's layer: its name, else its text; of that, 60 characters, without dots.
+std::string statementLabel(const Statement& statement);
+
+// "A resolved".
+std::string resolvedLabel(const LayerName& layer);
 
 extern const char* const kPluginName;
 extern const char* const kVendor;

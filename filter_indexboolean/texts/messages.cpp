@@ -13,7 +13,7 @@ namespace index_boolean {
 namespace {
 
 // What a sentence is about decides how it begins.
-enum class Subject { OneLayer, BothLayers, Run };
+enum class Subject { OneLayer, AllLayers, Run };
 
 struct Remedy {
 	StatusCode code;
@@ -39,7 +39,7 @@ constexpr std::array<Remedy, kStatusCodeCount> kRemedies{{
      "They are selected. Delete them with \"Delete Selected Faces\" "
      "(meshing_remove_selected_faces), then close the holes with \"Close Holes\" "
      "(meshing_close_holes)."},
-    {StatusCode::TooLarge, Subject::BothLayers,
+    {StatusCode::TooLarge, Subject::AllLayers,
      "Make them smaller with \"Simplification: Quadric Edge Collapse Decimation\" "
      "(meshing_decimation_quadric_edge_collapse)."},
     {StatusCode::NotClosed, Subject::OneLayer,
@@ -62,7 +62,7 @@ constexpr std::array<Remedy, kStatusCodeCount> kRemedies{{
      "The faces found are selected. With self_intersections = resolve the layer is taken for what "
      "its winding rule says."},
     {StatusCode::InternalError, Subject::Run,
-     "Nothing was changed: no result is better than a wrong one. Both layers, as they are, belong "
+     "Nothing was changed: no result is better than a wrong one. The layers, as they are, belong "
      "to the report."},
 }};
 
@@ -102,6 +102,21 @@ std::string listed(const std::vector<std::string>& names, const char* last) {
 	return list;
 }
 
+// All layers; of many, the first ones and how many more there are.
+template <class Layers>
+std::string allQuoted(const Layers& layers) {
+	constexpr std::size_t kMost = 8;
+	std::vector<std::string> names;
+	for (const LayerName& layer : layers) {
+		if (names.size() + 1 == kMost && layers.size() > kMost) {
+			names.push_back(std::to_string(layers.size() - names.size()) + " more");
+			break;
+		}
+		names.push_back(quoted(layer));
+	}
+	return listed(names, " and ");
+}
+
 std::string scalarName(OutputScalar scalar) {
 	return scalar == OutputScalar::Float ? "single precision" : "double precision";
 }
@@ -116,8 +131,8 @@ std::string subjectOf(const Remedy& remedy, const Status& status, const LayerNam
 	switch (remedy.subject) {
 	case Subject::OneLayer:
 		return "Layer " + quoted(layers[operandOf(status)]) + " ";
-	case Subject::BothLayers:
-		return "Layers " + quoted(layers[kFirst]) + " and " + quoted(layers[kSecond]) + ": ";
+	case Subject::AllLayers:
+		return std::string(layers.size() == 1 ? "Layer " : "Layers ") + allQuoted(layers) + ": ";
 	case Subject::Run:
 		break;
 	}
@@ -126,7 +141,10 @@ std::string subjectOf(const Remedy& remedy, const Status& status, const LayerNam
 
 }  // namespace
 
-OperandId operandOf(const Status& status) { return status.operand == 1 ? kSecond : kFirst; }
+OperandId operandOf(const Status& status) {
+	return status.operand < 0 ? kFirst
+	                          : makeId<OperandTag>(static_cast<std::size_t>(status.operand));
+}
 
 std::string refusalMessage(const Status& status, const LayerNames& layers) {
 	const Remedy& remedy = kRemedies[static_cast<std::size_t>(status.code)];
@@ -182,6 +200,29 @@ std::string duplicatesMessage(const LayerName& layer, std::size_t takenOnce,
 	return text + ".";
 }
 
+std::string leftOutMessage(const std::string& word, const std::vector<LayerName>& layers,
+                           const std::string& what) {
+	const bool isOne = layers.size() == 1;
+	return "\"" + word + "\" leaves out " + allQuoted(layers) + ", which " +
+	       (isOne ? "has " : "have ") + what + (isOne ? "; name it" : "; name them") +
+	       " by id or label to use " + (isOne ? "it" : "them") + " all the same.";
+}
+
+std::string severalLayersProblem(const std::string& label, const std::vector<int>& ids) {
+	std::vector<std::string> names;
+	for (const int id : ids) {
+		names.push_back(std::to_string(id));
+	}
+	return "several layers have the label \"" + label + "\": name one of them by its id, " +
+	       listed(names, " or ");
+}
+
+std::string emptySetProblem(const std::string& word) {
+	return "\"" + word +
+	       "\" stands for no layer: none has faces and has not been made by Index "
+	       "Boolean";
+}
+
 std::string turnedAlikeMessage(const LayerName& layer, std::size_t faces) {
 	return "Layer " + quoted(layer) + " has " + counted(faces, "face") +
 	       (faces == 1 ? " that was" : " that were") + " turned as the neighbours are.";
@@ -219,10 +260,21 @@ std::string lackingAttributesMessage(const LayerName& layer,
 	       ": what comes of it has MeshLab's default there.";
 }
 
-std::string blockMessage(const Block& block, const BlockMeasure& measure,
-                         const LayerNames& layers) {
-	return "\"" + blockLabel(block.operation, layers) +
-	       "\": " + counted(block.triangles.size(), "face") + ", " +
+std::string nothingInsideMessage(const std::string& label) {
+	return "\"" + label + "\" is empty: it is true of no part of space.";
+}
+
+std::string operandNumbersMessage(const LayerNames& layers) {
+	std::vector<std::string> names;
+	for (const OperandId operand : layers.operands()) {
+		names.push_back(std::to_string(operand.value) + " is " + quoted(layers[operand]));
+	}
+	return "Operands, by their numbers in source_mesh: " + listed(names, ", ") + ".";
+}
+
+std::string blockMessage(const std::string& label, const Block& block,
+                         const BlockMeasure& measure) {
+	return "\"" + label + "\": " + counted(block.triangles.size(), "face") + ", " +
 	       counted(measure.components, "component") + ", volume " + decimal(measure.volume) +
 	       ", area " + decimal(measure.area) + ".";
 }

@@ -34,6 +34,14 @@ std::string unexpectedMessage(const char* what);
 // The core has turned the layer's faces: it was inside out, or its matrix mirrors it.
 std::string turnedMessage(const LayerName& layer);
 
+// The layers that a word for a set of them leaves out, since they have <what>. At least one.
+std::string leftOutMessage(const std::string& word, const std::vector<LayerName>& layers,
+                           const std::string& what);
+
+// Half a sentence: several layers have a label; a word stands for no layer at all.
+std::string severalLayersProblem(const std::string& label, const std::vector<int>& ids);
+std::string emptySetProblem(const std::string& word);
+
 // Faces of the layer were turned against their neighbours.
 std::string turnedAlikeMessage(const LayerName& layer, std::size_t faces);
 
@@ -48,12 +56,18 @@ std::string duplicatesMessage(const LayerName& layer, std::size_t takenOnce,
 // The last two, of each layer that they are true of.
 std::vector<std::string> operandMessages(const RunReport& report, const LayerNames& layers);
 
-// The layer does not carry these attributes, which the other one does. At least one.
+// The layer does not carry these attributes, which another one does. At least one.
 std::string lackingAttributesMessage(const LayerName& layer,
                                      const std::vector<std::string>& attributes);
 
 // What a block is like, for those who see the log and not the result map.
-std::string blockMessage(const Block& block, const BlockMeasure& measure, const LayerNames& layers);
+std::string blockMessage(const std::string& label, const Block& block, const BlockMeasure& measure);
+
+// No place is inside the statement with that label, or the layer.
+std::string nothingInsideMessage(const std::string& label);
+
+// Which layer each number in source_mesh stands for.
+std::string operandNumbersMessage(const LayerNames& layers);
 
 // All of the run's surfaces hold as they are stored.
 std::string certifiedMessage(std::size_t surfaces, OutputScalar scalar);

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Index Boolean authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What a user has set, by the parameters' names: a layer's id, 0 or 1 of a switch, a number. The
-// parameters of any host become this.
+// What a user has set, by the parameters' names: a layer's id, 0 or 1 of a switch, a number, a
+// text. The parameters of any host become this.
 #pragma once
 
 #include "texts/filter_definitions.h"
@@ -18,14 +18,18 @@ public:
 	static constexpr int kNoLayer = -1;
 
 	void set(const std::string& name, int value) { values_[name] = value; }
+	void set(const std::string& name, const std::string& text) { texts_[name] = text; }
 
 	bool getBool(const std::string& name) const { return getInt(name) != 0; }
 
 	// The filter must have the parameter.
 	int getInt(const std::string& name) const { return values_.at(name); }
+	// The same; in UTF-8.
+	const std::string& getText(const std::string& name) const { return texts_.at(name); }
 
 private:
 	std::map<std::string, int> values_;
+	std::map<std::string, std::string> texts_;
 };
 
 // \param parameters any host's list of parameters
@@ -48,6 +52,9 @@ ParameterValues readValues(const FilterDefinition& filter, const HostParameters&
 			break;
 		case ParameterKind::Choice:
 			values.set(name, parameters.getEnum(name));
+			break;
+		case ParameterKind::Text:
+			values.set(name, parameters.getString(name).toStdString());
 			break;
 		}
 	}

@@ -49,10 +49,10 @@ def run_batch_command(options):
 
 
 def _read_jobs(options):
-    pairs = read_table(options.table, options.only)
+    rows = read_table(options.table, options.only)
     options.folder.mkdir(parents=True, exist_ok=True)
     parameters = {name: getattr(options, name) for name in options.filter_options}
-    return [job_of(pair, options.folder, options.format, parameters) for pair in pairs]
+    return [job_of(row, options.folder, options.format, parameters) for row in rows]
 
 
 def _outcomes(options, jobs):
@@ -96,12 +96,18 @@ class Results:
         """How many jobs have each status."""
         return collections.Counter(outcome["status"] for outcome in self._outcomes.values())
 
+    def _blocks(self):
+        """The names of all jobs' blocks: those of the Boolean, then others as they come."""
+        names = dict.fromkeys(name for job in self._jobs for name in job["blocks"])
+        return [*(b for b in BLOCKS if b in names), *(n for n in names if n not in BLOCKS)]
+
     def write(self):
         """Replaces the file by one with a row for each job that has an outcome."""
-        blocks = [block for block in BLOCKS if any(block in job["blocks"] for job in self._jobs)]
-        figures = [f"{block}_{figure}" for block in blocks for figure in FIGURES]
+        figures = [f"{block}_{figure}" for block in self._blocks() for figure in FIGURES]
+        is_evaluation = "expression" in self._jobs[0]
         columns = [
-            "name", "first", "second", "status", "seconds", "message", "closed", *figures,
+            "name", *(("expression", "operands") if is_evaluation else ("first", "second")),
+            "status", "seconds", "message", "closed", *figures,
         ]
         unfinished = self.path.with_suffix(".unfinished")
         with open(unfinished, "w", newline="", encoding="utf-8") as file:
@@ -118,9 +124,12 @@ class Results:
 
 def _cells(row):
     closed = {True: "yes", False: "no"}
-    return {
+    cells = {
         key: closed[value] if isinstance(value, bool) else value for key, value in row.items()
     }
+    if "expression" in cells:
+        cells["operands"] = ";".join(f'{name}="{path}"' for name, path in row["operands"].items())
+    return cells
 
 
 def _collect(outcomes, results, console):

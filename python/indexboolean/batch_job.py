@@ -19,8 +19,10 @@ import shutil
 import tempfile
 import time
 
+from .batch_table import Evaluation
 from .boolean_job import BLOCKS, FORMATS, run_boolean_job
-from .job import Job, JobError, Refusal
+from .evaluate_job import run_evaluate_job
+from .job import Job, JobError, LayersJob, Refusal
 from .plugin import HostError
 
 UNFINISHED = ".unfinished"  # beside the jobs' folders: what interrupted jobs leave
@@ -30,21 +32,25 @@ _IN_COLUMNS = re.compile(r'".*": \d+ faces?|Certified:|Index Boolean took')
 _FILES = {"result.json", *(f"{block}.{suffix}" for block in BLOCKS for suffix in FORMATS)}
 
 
-def job_of(pair, folder, file_format, parameters):
-    """The job of a row of the table; its folder is folder/<the pair's name>."""
-    job = {
-        "first": str(pair.first),
-        "second": str(pair.second),
-        "first_transform": pair.first_transform,
-        "second_transform": pair.second_transform,
-        "blocks": pair.blocks,
-        "format": file_format,
-        "parameters": parameters,
-    }
+def job_of(row, folder, file_format, parameters):
+    """The job of a row of the table; its folder is folder/<the row's name>."""
+    if isinstance(row, Evaluation):
+        operands = {
+            "expression": row.expression,
+            "operands": {name: str(path) for name, path in row.operands.items()},
+        }
+    else:
+        operands = {
+            "first": str(row.first),
+            "second": str(row.second),
+            "first_transform": row.first_transform,
+            "second_transform": row.second_transform,
+        }
+    job = {**operands, "blocks": row.blocks, "format": file_format, "parameters": parameters}
     return {
         **job,
-        "name": pair.name,
-        "folder": str(folder.absolute() / pair.name),
+        "name": row.name,
+        "folder": str(folder.absolute() / row.name),
         "fingerprint": _fingerprint(job),
     }
 
@@ -90,8 +96,8 @@ def _do(job, start):
     with tempfile.TemporaryDirectory(prefix=f"{job['name']}-", dir=unfinished) as new:
         new = pathlib.Path(new)
         try:
-            result, messages = _boolean(job, new)
-            outcome = _figures(result, job["blocks"])
+            result, messages = _evaluation(job, new) if "expression" in job else _boolean(job, new)
+            outcome = _figures(result, job)
             outcome.update(status="done", message=_remarks(messages))
         except Refusal as error:
             outcome = {"status": "refused", "message": str(error)}
@@ -108,16 +114,28 @@ def _boolean(job, folder):
     return run_boolean_job(run, job["blocks"], job["format"], **job["parameters"])
 
 
+def _evaluation(job, folder):
+    files = {name: pathlib.Path(path) for name, path in job["operands"].items()}
+    run = LayersJob(files, folder, lambda *_: None)
+    return run_evaluate_job(run, job["expression"], job["format"], **job["parameters"])
+
+
 def _remarks(messages):
     """What the filter logged beside the figures that have columns of their own."""
     return " ".join(message for message in messages if not _IN_COLUMNS.match(message))
 
 
-def _figures(result, blocks):
-    figures = {
-        f"{block}_{figure}": result[f"{block}_{figure}"] for block in blocks for figure in FIGURES
+def _figures(result, job):
+    """The figures of each block; in the map those of a statement have its number."""
+    keys = {
+        block: f"result_{number}" if "expression" in job else block
+        for number, block in enumerate(job["blocks"])
     }
-    return {"closed": all(result[f"{block}_closed"] for block in blocks), **figures}
+    figures = {
+        f"{block}_{figure}": result[f"{key}_{figure}"]
+        for block, key in keys.items() for figure in FIGURES
+    }
+    return {"closed": all(result[f"{key}_closed"] for key in keys.values()), **figures}
 
 
 def _publish(new, folder, record):
@@ -129,7 +147,7 @@ def _publish(new, folder, record):
     record["bytes"] = {name: (new / name).stat().st_size for name in names}
     (new / _RECORD).write_text(json.dumps(record, indent="\t") + "\n", encoding="utf-8")
     folder.mkdir(exist_ok=True)
-    for stale in {_RECORD} | (_FILES - set(names)):
+    for stale in {_RECORD} | ((_FILES | _recorded(folder)) - set(names)):
         (folder / stale).unlink(missing_ok=True)
     with concurrent.futures.ThreadPoolExecutor(len(names) + 1) as threads:
         list(threads.map(_onto_disk, new.iterdir()))  # together: one write of the disk's journal
@@ -138,6 +156,15 @@ def _publish(new, folder, record):
     _onto_disk(folder)
     os.replace(new / _RECORD, folder / _RECORD)
     _onto_disk(folder)
+
+
+def _recorded(folder):
+    """The files that an earlier run of the job has left, by its record."""
+    try:
+        record = json.loads((folder / _RECORD).read_text(encoding="utf-8"))
+        return {pathlib.Path(name).name for name in record["bytes"]}
+    except (OSError, ValueError, KeyError, TypeError):
+        return set()
 
 
 def _onto_disk(path):
@@ -158,7 +185,8 @@ def remove_unfinished(folder):
 
 def _fingerprint(job):
     """Changes with the row, the options, the input files and the version of this package."""
-    files = [_state_of(job[operand]) for operand in ("first", "second")]
+    operands = job["operands"].values() if "expression" in job else (job["first"], job["second"])
+    files = [_state_of(path) for path in operands]
     version = importlib.metadata.version("indexboolean")
     text = json.dumps([job, files, version], sort_keys=True)
     return hashlib.sha256(text.encode()).hexdigest()

@@ -1,6 +1,7 @@
 # SPDX-FileCopyrightText: 2026 The Index Boolean authors
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""in: a CSV table of pairs; out: one Pair a row, or every row that is wrong, with its line."""
+"""in: a CSV table of pairs, or of expressions; out: one Pair or Evaluation a row, or every row that
+is wrong, with its line."""
 
 import csv
 import dataclasses
@@ -10,9 +11,13 @@ import re
 from typing import Optional
 
 from .boolean_job import BLOCKS
+from .evaluate_job import result_names
+from .expression_text import ExpressionError, ExpressionText, check_operand_name, default_names
 
-REQUIRED = ("first", "second")
-OPTIONAL = ("name", "first_transform", "second_transform", "blocks")
+# The columns that the rows of each kind have, and may have.
+PAIR_COLUMNS = ("first", "second"), ("name", "first_transform", "second_transform", "blocks")
+EVALUATION_COLUMNS = ("expression", "operands"), ("name",)
+_OPERAND = re.compile(r'\s*(?:([^;="]+?)\s*=\s*)?("[^"]*"|[^;="]+?)\s*(?:;|$)')
 _SHOWN = 10  # of the rows that are wrong
 _AFFINE_LAST_ROW = (0.0, 0.0, 0.0, 1.0)
 
@@ -33,22 +38,32 @@ class Pair:
     blocks: tuple
 
 
-def read_table(path, default_blocks):
-    """The pairs of the table at path, whose files are relative to its folder.
+@dataclasses.dataclass(frozen=True)
+class Evaluation:
+    """One row: an expression, the absolute path of each operand by its name, results' names."""
 
-    Raises TableError or OSError before any pair is looked at: no file is opened but the table.
+    name: str
+    expression: str
+    operands: dict
+    blocks: tuple
+
+
+def read_table(path, default_blocks):
+    """The rows of the table at path, whose files are relative to its folder: all of one kind.
+
+    Raises TableError or OSError before any row is done: no file is opened but the table.
     """
     try:
         with open(path, newline="", encoding="utf-8-sig") as file:
             reader = csv.DictReader(file, strict=True)
-            _check_columns(path, reader.fieldnames or ())
+            row_of = _kind_of_rows(path, reader.fieldnames or ())
             rows = [(reader.line_num, row) for row in reader]
     except (csv.Error, UnicodeDecodeError) as error:
         raise TableError(f"{path} is no CSV table in UTF-8: {error}") from error
     pairs, wrong, names = [], [], {}
     for number, (line, row) in enumerate(rows, start=1):
         try:
-            pair = _pair_of(row, number, path.absolute().parent, default_blocks)
+            pair = row_of(_cells_of(row), number, path.absolute().parent, default_blocks)
             if pair.name in names:
                 raise ValueError(f"line {names[pair.name]} has the name {pair.name!r}, too")
             names[pair.name] = line
@@ -63,24 +78,67 @@ def read_table(path, default_blocks):
     return pairs
 
 
-def _check_columns(path, columns):
-    known = REQUIRED + OPTIONAL
-    absent = [column for column in REQUIRED if column not in columns]
-    unknown = [column for column in columns if column not in known]
+def _kind_of_rows(path, columns):
+    """The function that reads a row, by the columns that the table has."""
+    is_evaluation = any(column in columns for column in EVALUATION_COLUMNS[0])
+    required, optional = EVALUATION_COLUMNS if is_evaluation else PAIR_COLUMNS
+    absent = [column for column in required if column not in columns]
+    unknown = [column for column in columns if column not in required + optional]
     if absent or unknown or len(set(columns)) < len(columns):
         raise TableError(
-            f"{path}: the first line must name the columns {', '.join(REQUIRED)} and may name "
-            f"{', '.join(OPTIONAL)}, each once; it names {', '.join(columns) or 'none'}"
+            f"{path}: the first line must name the columns {', '.join(required)} and may name "
+            f"{', '.join(optional)}, each once; it names {', '.join(columns) or 'none'}"
         )
+    return _evaluation_of if is_evaluation else _pair_of
 
 
-def _pair_of(row, number, folder, default_blocks):
+def _cells_of(row):
     if None in row or None in row.values():
         raise ValueError("it has more or fewer cells than the header")
     row = {column: cell.strip() for column, cell in row.items()}
-    for column in REQUIRED:
-        if not row[column]:
+    for column in (*PAIR_COLUMNS[0], *EVALUATION_COLUMNS[0]):
+        if row.get(column) == "":
             raise ValueError(f"{column} is empty")
+    return row
+
+
+def _evaluation_of(row, number, folder, _):
+    operands = _operands_of(row["operands"], folder)
+    try:
+        blocks = result_names(ExpressionText(row["expression"], list(operands)))
+    except ExpressionError as error:
+        raise ValueError(str(error)) from error
+    if len(set(blocks)) < len(blocks):
+        raise ValueError("two results would have one file; give each statement a name of its own")
+    return Evaluation(
+        name=_name_of(row.get("name") or f"{number:04}"),
+        expression=row["expression"],
+        operands=operands,
+        blocks=tuple(blocks),
+    )
+
+
+def _operands_of(text, folder):
+    """{name: path} of files that semicolons separate, some with names of their own."""
+    operands, names, end = {}, default_names(), 0
+    while end < len(text):
+        found = _OPERAND.match(text, end)
+        if not found:
+            raise ValueError(
+                f"operands: {text[end:]!r} does not read; files are separated by semicolons, may "
+                "have a name as in name=file, and those with ; or = are put in double quotes"
+            )
+        default = next(names)
+        name = found[1] or default
+        check_operand_name(name)
+        if name in operands:
+            raise ValueError(f"operands: two files have the name {name}")
+        operands[name] = folder / found[2].strip('"')
+        end = found.end()
+    return operands
+
+
+def _pair_of(row, number, folder, default_blocks):
     return Pair(
         name=_name_of(row.get("name") or f"{number:04}"),
         first=folder / row["first"],

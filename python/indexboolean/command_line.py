@@ -20,9 +20,12 @@ from rich.progress import BarColumn, Progress, TaskProgressColumn, TextColumn, T
 from .batch_command import run_batch_command
 from .boolean_job import BLOCKS, DEFAULT_BLOCKS, FORMATS, run_boolean_job
 from .curves_job import LOOP_KINDS, run_curves_job
-from .job import Job, JobError
+from .evaluate_job import run_evaluate_job
+from .expression_text import check_operand_name
+from .job import Job, JobError, LayersJob
 from .plugin import HostError
 from .printed_table import new_table
+from .resolve_job import run_resolve_job
 from .split_job import PIECES, run_split_job
 
 
@@ -44,17 +47,21 @@ def _parser():
     _add_boolean(commands)
     _add_split(commands)
     _add_curves(commands)
+    _add_evaluate(commands)
+    _add_resolve(commands)
     _add_batch(commands)
     return parser
 
 
+_ALL_COMMANDS = (
+    "Any format that MeshLab reads. OMP_NUM_THREADS limits the threads. Exit status: 0 done, 1 "
+    "refused or unreadable input, 2 usage, 130 interrupted."
+)
+
+
 def _add_pair_command(commands, name, run, text, description):
     """A command on two mesh files, with the options that all commands have."""
-    command = _add_command(
-        commands, name, run, text,
-        f"{description} Any format that MeshLab reads. OMP_NUM_THREADS limits the threads. Exit "
-        "status: 0 done, 1 refused or unreadable input, 2 usage, 130 interrupted.",
-    )
+    command = _add_command(commands, name, run, text, f"{description} {_ALL_COMMANDS}")
     command.add_argument("first", type=pathlib.Path, metavar="A", help="a mesh file")
     command.add_argument("second", type=pathlib.Path, metavar="B", help="another mesh file")
     return command
@@ -111,6 +118,10 @@ def _add_boolean_options(command):
         "--only", type=_block_names, default=DEFAULT_BLOCKS, metavar="BLOCK,...",
         help=f"of {', '.join(BLOCKS)} (default: all but the last)",
     )
+    _add_block_options(command)
+
+
+def _add_block_options(command):
     command.add_argument(
         "--format", choices=FORMATS, default="ply",
         help="of the blocks (default: ply, binary, which alone keeps every bit)",
@@ -162,6 +173,41 @@ def _add_curves(commands):
         "Intersects two meshes, open or closed, and writes curves.obj, a file of vertices and "
         "edges, and result.json with the kind, the length and the sub-surfaces of each loop.",
     )
+
+
+def _add_evaluate(commands):
+    command = _add_command(
+        commands, "evaluate", _run_evaluate, "an expression over any number of closed meshes",
+        "Intersects any number of closed meshes once and writes DIR/<name> for each statement of "
+        "an expression over them, result_<k> for the k-th, from 0 on, if it has no name; and "
+        "result.json with their volumes, areas, face counts and components. "
+        "In the expression a file is its name, or its place, from 0 on; visible and all are all "
+        f"files. {_ALL_COMMANDS}",
+    )
+    command.add_argument(
+        "expression", metavar="EXPR",
+        help='as "a - b" or "walls = a - b; rest = at_least(2, all) - walls"; the filter\'s help '
+        "has the grammar",
+    )
+    command.add_argument(
+        "operands", nargs="+", type=_named_file, metavar="NAME=FILE",
+        help="a mesh file, and its name in the expression",
+    )
+    _add_block_options(command)
+
+
+def _add_resolve(commands):
+    command = _add_command(
+        commands, "resolve", _run_resolve, "a closed mesh without its self-intersections",
+        "Writes the boundary of what the winding rule calls inside a mesh, and result.json. "
+        f"{_ALL_COMMANDS}",
+    )
+    command.add_argument("mesh", type=pathlib.Path, metavar="A", help="a mesh file")
+    _add_filter_option(
+        command, "outer_hull", "--outer-hull", action="store_true",
+        help="inside is all that cannot be reached from outside: cavities are filled",
+    )
+    _add_block_options(command)
 
 
 def _add_batch(commands):
@@ -221,6 +267,17 @@ def _bytes(text):
     return int(match[1]) << {"K": 10, "M": 20, "G": 30, "T": 40}[match[2]]
 
 
+def _named_file(text):
+    name, separator, file = text.partition("=")
+    if not separator or not file:
+        raise argparse.ArgumentTypeError(f"{text!r} is not NAME=FILE")
+    try:
+        check_operand_name(name)
+    except ValueError as error:
+        raise argparse.ArgumentTypeError(str(error)) from error
+    return name, pathlib.Path(file)
+
+
 def _block_names(text):
     return _names(text, "block", BLOCKS)
 
@@ -255,15 +312,46 @@ def _run_curves(options):
     return _run_job(options, run_curves_job, _print_curves)
 
 
-def _run_job(options, run, print_result):
-    """Calls run(job, **parameters), prints what it logs and its result; returns the exit status."""
+def _run_evaluate(options):
+    files = dict(options.operands)
+    if len(files) < len(options.operands):
+        print("error: two files have one name", file=sys.stderr)
+        return 2
+
+    def run(job, **parameters):
+        return run_evaluate_job(job, options.expression, options.format, **parameters)
+
+    return _run_job(
+        options, run,
+        lambda result: _print_results(result, [f"result_{k}" for k in range(result["results"])]),
+        lambda on_progress: LayersJob(files, options.folder, on_progress),
+    )
+
+
+def _run_resolve(options):
+    def run(job, **parameters):
+        return run_resolve_job(job, options.format, **parameters)
+
+    return _run_job(
+        options, run, lambda result: _print_results(result, ["resolved"]),
+        lambda on_progress: LayersJob({"mesh": options.mesh}, options.folder, on_progress),
+    )
+
+
+def _run_job(options, run, print_result, new_job=None):
+    """Calls run(job, **parameters), prints what it logs and its result; returns the exit status.
+
+    new_job(on_progress) makes the job; by default that of the files first and second.
+    """
     parameters = {name: getattr(options, name) for name in options.filter_options}
     # A console on a descriptor of its own: the host's calls borrow the process's standard error.
     with os.fdopen(os.dup(2), "w") as stderr:
         console = Console(file=stderr, soft_wrap=True, highlight=False)
         try:
             with _progress_bar(console) as on_progress:
-                job = Job(options.first, options.second, options.folder, on_progress)
+                job = new_job(on_progress) if new_job else Job(
+                    options.first, options.second, options.folder, on_progress
+                )
                 result, messages = run(job, **parameters)
         except (HostError, JobError, MemoryError, OSError) as error:
             console.print(f"error: {error}", style="red", markup=False)
@@ -304,17 +392,20 @@ def _print_table(table, result, remark=""):
 
 
 def _print_blocks(result, blocks):
+    _print_results(result, [block for block in BLOCKS if block in blocks])
+
+
+def _print_results(result, names):
     table = new_table("block", "faces", "volume", "area", "components", "closed")
-    for block in BLOCKS:
-        if block in blocks:
-            table.add_row(
-                block,
-                str(result[f"{block}_faces"]),
-                f"{result[f'{block}_volume']:.9g}",
-                f"{result[f'{block}_area']:.9g}",
-                str(result[f"{block}_components"]),
-                "yes" if result[f"{block}_closed"] else "NO",
-            )
+    for block in names:
+        table.add_row(
+            block,
+            str(result[f"{block}_faces"]),
+            f"{result[f'{block}_volume']:.9g}",
+            f"{result[f'{block}_area']:.9g}",
+            str(result[f"{block}_components"]),
+            "yes" if result[f"{block}_closed"] else "NO",
+        )
     residual = result["volume_law_residual"]
     _print_table(table, result, f"; volume law residual {residual:.1g}")
 

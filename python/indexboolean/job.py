@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The Index Boolean authors
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What all commands share: two mesh files in, a filter's run, files and a record out."""
+"""What all commands share: mesh files in, a filter's run, files and a record out."""
 
 import json
 import math
@@ -20,39 +20,37 @@ class Refusal(JobError):
     """A file that cannot be read, or operands that the filter refuses."""
 
 
-class Job:
-    """A document with the meshes of two files, and the folder that the results go to.
+class LayersJob:
+    """A document with the meshes of files, and the folder that the results go to.
 
-    first, second and folder are pathlib.Path; on_progress is that of host_call; transforms are the
-    16 numbers, row by row, of the matrix of each mesh, or None. Raises HostError, JobError,
-    MemoryError or OSError.
+    files is a dict of pathlib.Path by the names that the record has for them; its order is that of
+    the layers, whose ids are `operands`. folder is a pathlib.Path; on_progress is that of
+    host_call; transforms are the 16 numbers, row by row, of the matrix of each mesh, or None; or
+    all None. Raises HostError, JobError, MemoryError or OSError.
     """
 
-    def __init__(self, first, second, folder, on_progress, transforms=(None, None)):
+    def __init__(self, files, folder, on_progress, transforms=None):
         load_plugin()
         import pymeshlab
 
         self.meshes = pymeshlab.MeshSet()
-        self._files = {"first": str(first), "second": str(second)}
+        self.files = {name: str(path) for name, path in files.items()}
         self._folder = folder
         self._on_progress = on_progress
-        self._operands = [
-            self._load(path, transform) for path, transform in zip((first, second), transforms)
+        self.operands = [
+            self._load(path, transform)
+            for path, transform in zip(files.values(), transforms or [None] * len(files))
         ]
         folder.mkdir(parents=True, exist_ok=True)
 
     def run(self, filter_name, **parameters):
-        """Runs the filter on both meshes; returns (its result map, the messages that it logged)."""
+        """Runs the filter; returns (its result map, the messages that it logged)."""
         import pymeshlab
 
-        first, second = self._operands
         self.meshes.set_verbosity(True)
         try:
             outcome = host_call(
-                lambda: self.meshes.apply_filter(
-                    filter_name, first_mesh=first, second_mesh=second, **parameters
-                ),
-                self._on_progress,
+                lambda: self.meshes.apply_filter(filter_name, **parameters), self._on_progress
             )
         except pymeshlab.PyMeshLabException as error:
             _, _, refusal = str(error).partition("Details: ")  # after the host's own opening
@@ -90,9 +88,12 @@ class Job:
 
     def write_record(self, files, record):
         """Writes folder/result.json: the operands' files, those written, and the record."""
-        record = {**self._files, "files": files, **record}
+        record = {**self._operands_record(), "files": files, **record}
         text = json.dumps(_json_value(record), indent="\t", allow_nan=False)
         (self._folder / "result.json").write_text(text + "\n")
+
+    def _operands_record(self):
+        return {"operand_files": self.files}
 
     def _load(self, path, transform):
         """The layer id of the file's mesh; the parts of a file of several meshes become one."""
@@ -115,6 +116,21 @@ class Job:
             matrix = np.reshape(transform, (4, 4))
             self.meshes.set_matrix(transformmatrix=matrix, freeze=False)
         return self.meshes.current_mesh_id()
+
+
+class Job(LayersJob):
+    """The same with two files, the first_mesh and the second_mesh of a filter."""
+
+    def __init__(self, first, second, folder, on_progress, transforms=(None, None)):
+        super().__init__({"first": first, "second": second}, folder, on_progress, transforms)
+
+    def run(self, filter_name, **parameters):
+        """Runs the filter on both meshes; returns (its result map, the messages that it logged)."""
+        first, second = self.operands
+        return super().run(filter_name, first_mesh=first, second_mesh=second, **parameters)
+
+    def _operands_record(self):
+        return self.files
 
 
 def _refusal(sentence):

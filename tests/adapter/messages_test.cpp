@@ -134,7 +134,7 @@ TEST(Messages, theLogTellsFacesComponentsVolumeAndArea) {
 	measure.volume = 1234567.5;
 	measure.area = 0.125;
 	measure.components = 1;
-	EXPECT_EQ(blockMessage(block, measure, kLayers),
+	EXPECT_EQ(blockMessage(blockLabel(block.operation, kLayers), block, measure),
 	          "\"bunny minus 50% cube\": 12 faces, 1 component, volume 1.23457e+06, area 0.125.");
 }
 

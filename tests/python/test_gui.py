@@ -68,8 +68,14 @@ FILTERS = {
     "generate_index_boolean_curves": Filter(
         "index boolean curves", "Index Boolean: Intersection Curves", (CURVES,)
     ),
+    "generate_index_boolean_expression": Filter(
+        "index boolean expression", "Index Boolean: Expression", ("union(visible)",)
+    ),
+    "generate_index_boolean_resolve": Filter(
+        "index boolean resolve", "Index Boolean: Resolve", (f"{NAMES[1]} resolved",)
+    ),
 }
-BOOLEAN, SPLIT, CURVE = FILTERS.values()
+BOOLEAN, SPLIT, CURVE, EXPRESSION, RESOLVE = FILTERS.values()
 
 
 def picture(screen, name):
@@ -220,6 +226,26 @@ def test_window2025AddsTheCurvesAsEdges(tmp_path):
     layer = in_double.mesh(added["curves_layer"])
     expect_saved_in_float(folder / f"{CURVES}.ply", layer)
     expect_saved_edges(folder / "curves.obj", layer)
+
+
+def test_window2025UnitesWhatIsVisible(tmp_path):
+    with both_samples_opened(tmp_path) as (meshlab, folder):
+        apply(meshlab, EXPRESSION, "gui_expression_dialog.png")
+        meshlab.save_project_and_all_layers("/srv/test/result.mlp")
+        show_only(meshlab, 2, 3, "gui_expression_result.png")
+    expect_project(folder, EXPRESSION)
+    core, _ = core_in_float(samples(), tmp_path)
+    _, faces = read_mesh(folder / "union(visible).ply")
+    assert len(faces) == len(core["union"][1])
+
+
+def test_window2025ResolvesTheCurrentLayer(tmp_path):
+    with both_samples_opened(tmp_path) as (meshlab, folder):
+        apply(meshlab, RESOLVE, "gui_resolve_dialog.png")
+        meshlab.save_project_and_all_layers("/srv/test/result.mlp")
+    expect_project(folder, RESOLVE)
+    vertices, faces = read_mesh(folder / f"{RESOLVE.labels[0]}.ply")
+    assert len(faces) == len(samples()[1][1])  # it does not meet itself
 
 
 def test_window2025SaysWhyItRefusesALayerAndGoesOn(tmp_path):

@@ -26,6 +26,8 @@ void drawLoop(const Arrangement& arrangement, const Loop& loop, CurveLines& out)
 		const std::array<FaceId, 2>& faces = loop.faces[std::min(i, edgeCount - 1)];
 		out.points.push_back(arrangement.coordinates(loop.points[i]));
 		out.line.push_back(static_cast<std::uint32_t>(out.lines.size()));
+		out.operands.push_back(
+		    {arrangement.mesh.operandOf(faces[0]), arrangement.mesh.operandOf(faces[1])});
 		out.sources.push_back({arrangement.givenFace(faces[0]), arrangement.givenFace(faces[1])});
 	}
 	for (std::uint32_t i = 0; i < edgeCount; ++i) {

@@ -22,13 +22,14 @@ struct CurveLine {
 
 // Each loop has vertices of its own, so that junctions are repeated.
 struct CurveLines {
-	std::vector<CurveLine> lines;                       // one for each loop
-	Points points;                                      // as the arrangement rounds them
-	std::vector<std::array<std::uint32_t, 2>> edges;    // indices into points
-	std::vector<std::uint32_t> line;                    // per point: its line
-	std::vector<std::array<std::uint32_t, 2>> sources;  // per point: a face of each operand, as
-	                                                    // given, in which the line leaves it; at
-	                                                    // the end of a line, arrives
+	std::vector<CurveLine> lines;                     // one for each loop
+	Points points;                                    // as the arrangement rounds them
+	std::vector<std::array<std::uint32_t, 2>> edges;  // indices into points
+	std::vector<std::uint32_t> line;                  // per point: its line
+	// Per point: two operands, and a face of each, as given, in which the line leaves it; at the
+	// end of a line, arrives.
+	std::vector<std::array<OperandId, 2>> operands;
+	std::vector<std::array<std::uint32_t, 2>> sources;
 };
 
 // Draws all loops. \return Ok, Cancelled. Complexity: O(s) for s segments.

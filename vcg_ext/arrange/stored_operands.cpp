@@ -6,6 +6,7 @@
 #include "vcg_ext/arrange/stored_operands.h"
 
 #include "vcg_ext/arrange/places.h"
+#include "vcg_ext/base/sorted_list.h"
 
 #include <algorithm>
 #include <cstdlib>
@@ -19,14 +20,14 @@ class OperandTaker {
 public:
 	OperandTaker(const Arrangement& arrangement, StoredOperands& out)
 	    : arrangement_(arrangement), mesh_(arrangement.mesh), out_(out),
+	      jumps_(arrangement.mesh.operands().count()),
 	      numbers_(arrangement.mesh.points.size() + arrangement.curve.pointCount(), kNone) {}
 
 	void run();
 
 private:
 	void takeAll(OperandId operand);
-	void takeJumps(OperandId operand);
-	void takeJump(OperandId operand, const Triangle& corners, FaceId face, std::uint32_t piece);
+	void listJumps(const Triangle& corners, FaceId face, std::uint32_t piece);
 	std::array<Point, 3> placesOf(FaceId face) const;
 	FaceSource sourceOf(OperandId operand, FaceId face, std::uint32_t piece) const;
 	void add(const Triangle& corners, const FaceSource& source, std::uint32_t piece, bool isTurned);
@@ -38,9 +39,21 @@ private:
 	template <class Visit>
 	void visitTriangles(std::uint32_t begin, std::uint32_t end, Visit&& visit) const;
 
+	template <class Visit>
+	void visitOtherSources(std::uint32_t piece, Visit&& visit) const;
+
+	// A triangle that an operand's winding number changes across.
+	struct Jump {
+		Triangle corners;
+		FaceSource source;
+		std::uint32_t piece;
+		bool isTurned;
+	};
+
 	const Arrangement& arrangement_;
 	const MeshArrays& mesh_;
 	StoredOperands& out_;
+	PerOperand<std::vector<Jump>> jumps_;
 	std::vector<std::uint32_t> numbers_;  // per vertex: in the operand that is being taken
 };
 
@@ -86,6 +99,17 @@ void OperandTaker::visitTriangles(std::uint32_t begin, std::uint32_t end, Visit&
 	}
 }
 
+// Calls visit(source) for the input faces that have a piece besides its own.
+template <class Visit>
+void OperandTaker::visitOtherSources(std::uint32_t piece, Visit&& visit) const {
+	const auto& all = arrangement_.cells.otherSources;
+	const auto before = [](const CellLabels::Source& s, std::uint32_t p) { return s.piece < p; };
+	for (auto s = std::lower_bound(all.begin(), all.end(), piece, before);
+	     s != all.end() && s->piece == piece; ++s) {
+		visit(*s);
+	}
+}
+
 // All triangles of an operand, as they are.
 void OperandTaker::takeAll(OperandId operand) {
 	// In a soup the winding numbers have been turned, not the faces.
@@ -120,21 +144,24 @@ FaceSource OperandTaker::sourceOf(OperandId operand, FaceId face, std::uint32_t 
 	return found;
 }
 
-void OperandTaker::takeJump(OperandId operand, const Triangle& corners, FaceId face,
-                            std::uint32_t piece) {
+// Notes of which operands a triangle is a wall: only of those that have a face there.
+void OperandTaker::listJumps(const Triangle& corners, FaceId face, std::uint32_t piece) {
 	const CellLabels& cells = arrangement_.cells;
 	const CellLabels::Sides& sides = piece == kNone ? at(cells.ofFace, face) : cells.ofPiece[piece];
-	const int jump = cells.windings[sides[1]][operand] - cells.windings[sides[0]][operand];
-	for (int i = 0; i < std::abs(jump); ++i) {
-		add(corners, sourceOf(operand, face, piece), piece, jump < 0);
+	if (sides[0] == sides[1]) {
+		return;
 	}
-}
-
-void OperandTaker::takeJumps(OperandId operand) {
-	visitTriangles(0, mesh_.faceOffsets.total(),
-	               [&](const Triangle& corners, FaceId face, std::uint32_t piece) {
-		               takeJump(operand, corners, face, piece);
-	               });
+	std::vector<OperandId> owners{mesh_.operandOf(face)};
+	visitOtherSources(piece, [&](const CellLabels::Source& source) {
+		owners.push_back(mesh_.operandOf(source.face));
+	});
+	sortUnique(owners);
+	for (const OperandId operand : owners) {
+		const int jump = cells.windings[sides[1]][operand] - cells.windings[sides[0]][operand];
+		for (int i = 0; i < std::abs(jump); ++i) {
+			jumps_[operand].push_back({corners, sourceOf(operand, face, piece), piece, jump < 0});
+		}
+	}
 }
 
 std::uint32_t OperandTaker::classOf(OperandId operand, FaceId face) const {
@@ -148,15 +175,20 @@ std::uint32_t OperandTaker::classOf(OperandId operand, FaceId face) const {
 
 void OperandTaker::run() {
 	const Operands operands = mesh_.operands();
-	const bool areJumpsKnown = arrangement_.cells.areKnown();
+	if (arrangement_.cells.areKnown()) {
+		visitTriangles(0, mesh_.faceOffsets.total(),
+		               [&](const Triangle& corners, FaceId face, std::uint32_t piece) {
+			               listJumps(corners, face, piece);
+		               });
+	}
 	out_.mesh.vertexOffsets = out_.mesh.faceOffsets = OperandOffsets(operands.count());
 	out_.mesh.faceClass = PerOperand<std::vector<std::uint32_t>>(operands.count());
 	for (const OperandId operand : operands) {
 		const std::size_t firstVertex = out_.vertexOf.size(), firstFace = out_.faceOf.size();
-		if (areJumpsKnown && arrangement_.closed[operand]) {
-			takeJumps(operand);
+		for (const Jump& jump : jumps_[operand]) {
+			add(jump.corners, jump.source, jump.piece, jump.isTurned);
 		}
-		if (out_.faceOf.size() == firstFace) {  // also of one that encloses nothing
+		if (jumps_[operand].empty()) {  // it is open or encloses nothing, or no cells are known
 			takeAll(operand);
 		}
 		out_.mesh.vertexOffsets.setEnd(operand, out_.vertexOf.size());

@@ -97,6 +97,14 @@ private:
 	std::vector<VertexId> ids_;  // by position; empty: no vertex is deleted
 };
 
+// Arrays for a number of operands, which have no elements yet. Throws std::bad_alloc. O(1).
+inline MeshArrays noArrays(std::size_t operands) {
+	MeshArrays arrays;
+	arrays.vertexOffsets = arrays.faceOffsets = OperandOffsets(operands);
+	arrays.faceClass = PerOperand<std::vector<std::uint32_t>>(operands);
+	return arrays;
+}
+
 // Makes room in the arrays for an operand's elements behind those that are there.
 inline void growArrays(std::size_t vertexCount, std::size_t faceCount, OperandId operand,
                        MeshArrays& out) {

@@ -33,6 +33,7 @@
 #include "vcg_ext/arrange/self_intersecting.h"
 #include "vcg_ext/base/parallel.h"
 #include "vcg_ext/base/union_find.h"
+#include "vcg_ext/exact/box_tree.h"
 #include "vcg_ext/parts/line_hits.h"
 #include "vcg_ext/parts/winding_rays.h"
 
@@ -43,6 +44,12 @@ namespace index_boolean {
 namespace {
 
 constexpr std::size_t kPollGrain = 1024;  // edges, or blocks, between two looks at the monitor
+
+// How often an operand winds around some place.
+struct Winding {
+	OperandId operand;
+	std::int32_t number;
+};
 
 // Side 2 * s of sub-surface s is its front, 2 * s + 1 its back.
 class Assembler {
@@ -74,6 +81,17 @@ private:
 	int windingAt(OperandId operand, std::uint32_t side) const;
 	Status refuseWindings(OperandId operand, std::uint32_t surface) const;
 	int windingStep(OperandId operand, std::uint32_t surface) const;
+	std::vector<OperandId> closedOperandsOf(std::uint32_t surface) const;
+	std::vector<Winding> windingsBehind(const PerOperand<std::int32_t>& before,
+	                                    std::uint32_t surface, bool toBack,
+	                                    std::uint64_t& sum) const;
+	std::vector<std::uint32_t> witnessFaces() const;
+	std::vector<BoundingBox> boxesOf(const std::vector<std::uint32_t>& faces) const;
+	PerOperand<BoundingBox> operandBoxes() const;
+	Status refuseWitness(OperandId operand, std::uint32_t face) const;
+	Status checkFarWindings(const std::vector<std::uint32_t>& faces,
+	                        const std::vector<BoundingBox>& faceBoxes,
+	                        const PerOperand<BoundingBox>& boxes);
 	std::int32_t counted(std::int32_t winding) const;
 
 	std::uint32_t surfaceOf(std::uint32_t face) const { return surfaces_.ofFace[face].value; }
@@ -339,6 +357,20 @@ int Assembler::windingStep(OperandId operand, std::uint32_t surface) const {
 	return arrangement_.insideOut[operand] ? -step : step;
 }
 
+// The closed operands that have a sub-surface, each once.
+std::vector<OperandId> Assembler::closedOperandsOf(std::uint32_t surface) const {
+	std::vector<OperandId> operands;
+	const std::uint32_t first = surfaces_.faces[surfaces_.all[surface].firstFace];
+	complex_.visitSources(complex_.faces[first], [&](FaceId source, bool) {
+		const OperandId operand = arrangement_.mesh.operandOf(source);
+		const bool isNew = std::find(operands.begin(), operands.end(), operand) == operands.end();
+		if (arrangement_.closed[operand] && isNew) {
+			operands.push_back(operand);
+		}
+	});
+	return operands;
+}
+
 // Of an operand of which only the parity of windings counts.
 std::int32_t Assembler::counted(std::int32_t winding) const {
 	const bool isOdd = arrangement_.isSoup && arrangement_.options.windingRule == WindingRule::Odd;
@@ -366,14 +398,54 @@ Status Assembler::refuseWindings(OperandId operand, std::uint32_t surface) const
 	return selfIntersecting(arrangement_, operand, faces, arrangement_.coordinates(corner));
 }
 
+// What a winding number adds to the sum that stands for all operands'. (A sum can hide a difference
+// once in 2^64 times. Nothing is decided by it: equal sums only spare a comparison of what has to
+// be equal, and is counted again by rays.)
+std::uint64_t summandOf(OperandId operand, std::int32_t winding) {
+	if (winding == 0) {
+		return 0;
+	}
+	std::uint64_t bits = std::uint64_t{operand.value} << 32 | static_cast<std::uint32_t>(winding);
+	bits = (bits ^ bits >> 30) * 0xbf58476d1ce4e5b9U;
+	bits = (bits ^ bits >> 27) * 0x94d049bb133111ebU;
+	return bits ^ bits >> 31;
+}
+
+PerOperand<std::int32_t> changed(PerOperand<std::int32_t> windings,
+                                 const std::vector<Winding>& changes) {
+	for (const Winding& change : changes) {
+		windings[change.operand] = change.number;
+	}
+	return windings;
+}
+
+// \pre they differ
+OperandId firstDifference(const PerOperand<std::int32_t>& a, const PerOperand<std::int32_t>& b) {
+	const auto all = a.operands();
+	return *std::find_if(all.begin(), all.end(), [&](OperandId o) { return a[o] != b[o]; });
+}
+
+// The winding numbers on the other side of a sub-surface, of the operands that have it. The sum is
+// that of the numbers before, and becomes that of those behind.
+std::vector<Winding> Assembler::windingsBehind(const PerOperand<std::int32_t>& before,
+                                               std::uint32_t surface, bool toBack,
+                                               std::uint64_t& sum) const {
+	std::vector<Winding> changes;
+	for (const OperandId operand : closedOperandsOf(surface)) {
+		const int step = (toBack ? 1 : -1) * windingStep(operand, surface);
+		changes.push_back({operand, counted(before[operand] + step)});
+		sum += summandOf(operand, changes.back().number) - summandOf(operand, before[operand]);
+	}
+	return changes;
+}
+
 // Goes from block to block through the sub-surfaces between them, from the outside on.
 Status Assembler::walkWindings() {
 	const std::size_t outside = out_.all.size();
-	std::vector<PerOperand<std::int32_t>> windings(
-	    outside + 1, PerOperand<std::int32_t>(arrangement_.mesh.operands().count()));
-	std::vector<std::uint8_t> known(outside + 1);
+	std::vector<PerOperand<std::int32_t>> windings(outside + 1, PerOperand<std::int32_t>(0));
+	std::vector<std::uint64_t> sums(outside + 1, 0);
 	std::vector<std::size_t> reached{outside};
-	known[outside] = 1;
+	windings[outside] = PerOperand<std::int32_t>(arrangement_.mesh.operands().count());
 	const auto blockAt = [&](std::uint32_t surface, std::size_t side) {
 		const std::int32_t block = out_.beside[surface][side];
 		return block == kNoBlock ? outside : static_cast<std::size_t>(block);
@@ -392,38 +464,40 @@ Status Assembler::walkWindings() {
 		for (const std::uint32_t s : around[block]) {
 			const bool toBack = blockAt(s, 0) == block;
 			const std::size_t next = blockAt(s, toBack ? 1 : 0);
-			PerOperand<std::int32_t> there = windings[block];
-			for (const OperandId operand : there.operands()) {
-				const int step = (toBack ? 1 : -1) * windingStep(operand, s);
-				there[operand] = counted(there[operand] + step);
-				if (known[next] != 0 && windings[next][operand] != there[operand]) {
-					return refuseWindings(operand, s);
-				}
-			}
-			if (known[next] == 0) {
-				known[next] = 1;
-				windings[next] = there;
+			std::uint64_t sum = sums[block];
+			const std::vector<Winding> changes = windingsBehind(windings[block], s, toBack, sum);
+			if (windings[next].size() == 0) {
+				windings[next] = changed(windings[block], changes);
+				sums[next] = sum;
 				reached.push_back(next);
+			} else if (sums[next] != sum) {
+				const auto there = changed(windings[block], changes);
+				return refuseWindings(firstDifference(there, windings[next]), s);
 			}
 		}
 	}
 	for (std::size_t i = 0; i < outside; ++i) {
-		out_.all[i].windings = windings[i];
+		out_.all[i].windings = std::move(windings[i]);
 	}
 	return {};
 }
 
 // What a soup's operand encloses inside out as a whole is taken right side out.
 void Assembler::turnInsideOut() {
-	out_.turned = PerOperand<bool>(arrangement_.mesh.operands().count());
-	for (const OperandId operand : out_.turned.operands()) {
-		bool anyBelow = false, anyAbove = false;
-		for (const SubBlock& block : out_.all) {
-			anyBelow = anyBelow || block.windings[operand] < 0;
-			anyAbove = anyAbove || block.windings[operand] > 0;
+	const auto operands = arrangement_.mesh.operands();
+	out_.turned = PerOperand<bool>(operands.count());
+	PerOperand<std::int32_t> least(operands.count()), most(operands.count());
+	for (const SubBlock& block : out_.all) {
+		for (const OperandId operand : operands) {
+			least[operand] = std::min(least[operand], block.windings[operand]);
+			most[operand] = std::max(most[operand], block.windings[operand]);
 		}
-		out_.turned[operand] = arrangement_.isSoup && anyBelow && !anyAbove;
-		for (SubBlock& block : out_.all) {
+	}
+	for (const OperandId operand : operands) {
+		out_.turned[operand] = arrangement_.isSoup && least[operand] < 0 && most[operand] == 0;
+	}
+	for (SubBlock& block : out_.all) {
+		for (const OperandId operand : operands) {
 			std::int32_t& winding = block.windings[operand];
 			winding = out_.turned[operand] ? -winding : winding;
 		}
@@ -433,6 +507,19 @@ void Assembler::turnInsideOut() {
 int Assembler::windingAt(OperandId operand, std::uint32_t side) const {
 	const std::int32_t block = out_.beside[side / 2][side % 2];
 	return block == kNoBlock ? 0 : out_.all[static_cast<std::size_t>(block)].windings[operand];
+}
+
+// A count at a face is another than the walk gives. A soup's never is.
+Status Assembler::refuseWitness(OperandId operand, std::uint32_t face) const {
+	const FaceId source = complex_.faces[face].source;
+	if (arrangement_.isSoup) {
+		return statusOf(StatusCode::InternalError);
+	}
+	return selfIntersecting(arrangement_, operand,
+	                        operand == arrangement_.mesh.operandOf(source)
+	                            ? std::vector<FaceId>{source}
+	                            : std::vector<FaceId>{},
+	                        arrangement_.coordinates(complex_.faces[face].corners[0]));
 }
 
 // Counts an operand's winding number at some faces, and compares.
@@ -451,25 +538,15 @@ Status Assembler::checkWindings(OperandId operand, const std::vector<std::uint32
 		const auto [inFront, behind] = std::pair(queries[i].inFront, queries[i].behind);
 		if (windingAt(operand, sideOf(faces[i], false)) != counted(sign * inFront) ||
 		    windingAt(operand, sideOf(faces[i], true)) != counted(sign * behind)) {
-			const FaceId face = complex_.faces[faces[i]].source;
-			if (arrangement_.isSoup) {
-				return statusOf(StatusCode::InternalError);
-			}
-			return selfIntersecting(arrangement_, operand,
-			                        operand == arrangement_.mesh.operandOf(face)
-			                            ? std::vector<FaceId>{face}
-			                            : std::vector<FaceId>{},
-			                        arrangement_.coordinates(complex_.faces[faces[i]].corners[0]));
+			return refuseWitness(operand, faces[i]);
 		}
 	}
 	return status;
 }
 
-// Parts of an operand that pass through each other have no common edge, so the walk may not show
-// it: a count at one face of each part is a witness of its own. So it is at one face of each block:
-// that the walk agrees with itself says nothing of the order of faces around an edge. (Of very many
-// blocks some are chosen: where all walls are large, each ray passes all of them.)
-Status Assembler::checkWindings() {
+// A face of each part and of each block. (Of very many blocks some are chosen: where all walls are
+// large, each ray passes all of them.)
+std::vector<std::uint32_t> Assembler::witnessFaces() const {
 	constexpr std::size_t kManyBlocks = 4096;
 	const std::size_t stride = 1 + out_.all.size() / kManyBlocks;
 	std::vector<std::uint32_t> faces;
@@ -489,11 +566,78 @@ Status Assembler::checkWindings() {
 			}
 		}
 	}
-	Status status;
-	for (const OperandId operand : arrangement_.mesh.operands()) {
-		if (status.ok() && arrangement_.closed[operand]) {
-			status = checkWindings(operand, faces);
+	return faces;
+}
+
+// Boxes of faces, of rounded places: what lies beyond a box of doubles does so once rounded, too.
+std::vector<BoundingBox> Assembler::boxesOf(const std::vector<std::uint32_t>& faces) const {
+	std::vector<BoundingBox> boxes(faces.size(), emptyBox());
+	for (std::size_t i = 0; i < faces.size(); ++i) {
+		for (const VertexId corner : complex_.faces[faces[i]].corners) {
+			boxes[i].add(arrangement_.coordinates(corner));
 		}
+	}
+	return boxes;
+}
+
+PerOperand<BoundingBox> Assembler::operandBoxes() const {
+	const MeshArrays& mesh = arrangement_.mesh;
+	PerOperand<BoundingBox> boxes(mesh.operands().count());
+	for (const OperandId operand : mesh.operands()) {
+		boxes[operand] = emptyBox();
+		for (std::uint32_t f = mesh.faceOffsets.begin(operand); f < mesh.faceOffsets.end(operand);
+		     ++f) {
+			for (const VertexId corner : mesh.triangles[f]) {
+				boxes[operand].add(at(mesh.points, corner));
+			}
+		}
+	}
+	return boxes;
+}
+
+// No operand winds around a face that its box does not meet.
+Status Assembler::checkFarWindings(const std::vector<std::uint32_t>& faces,
+                                   const std::vector<BoundingBox>& faceBoxes,
+                                   const PerOperand<BoundingBox>& boxes) {
+	for (std::size_t i = 0; i < faces.size(); ++i) {
+		for (const bool isBack : {false, true}) {
+			const std::uint32_t side = sideOf(faces[i], isBack);
+			const std::int32_t block = out_.beside[side / 2][side % 2];
+			if (block == kNoBlock) {
+				continue;
+			}
+			const auto& windings = out_.all[static_cast<std::size_t>(block)].windings;
+			for (const OperandId operand : windings.operands()) {
+				if (windings[operand] != 0 && commonBox(boxes[operand], faceBoxes[i]).empty()) {
+					return refuseWitness(operand, faces[i]);
+				}
+			}
+		}
+	}
+	return {};
+}
+
+// Parts of an operand that pass through each other have no common edge, so the walk may not show
+// it: a count at one face of each part is a witness of its own. So it is at one face of each block:
+// that the walk agrees with itself says nothing of the order of faces around an edge. Where there
+// are many operands, most are far from most faces.
+Status Assembler::checkWindings() {
+	const std::vector<std::uint32_t> faces = witnessFaces();
+	const std::vector<BoundingBox> faceBoxes = boxesOf(faces);
+	const PerOperand<BoundingBox> boxes = operandBoxes();
+	const BoxTree tree(faceBoxes);
+	Status status = checkFarWindings(faces, faceBoxes, boxes);
+	for (const OperandId operand : boxes.operands()) {
+		if (!status.ok() || !arrangement_.closed[operand]) {
+			continue;
+		}
+		std::vector<std::uint32_t> near;
+		const auto meets = [&](const BoundingBox& box) {
+			return !commonBox(boxes[operand], box).empty();
+		};
+		tree.visit(0, meets, [&](std::uint32_t i) { near.push_back(faces[i]); });
+		std::sort(near.begin(), near.end());
+		status = checkWindings(operand, near);
 	}
 	return status;
 }

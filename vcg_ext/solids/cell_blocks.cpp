@@ -14,13 +14,9 @@ namespace {
 
 class CellCollector {
 public:
-	CellCollector(const Arrangement& arrangement, const CellPredicate& isInside, Block& out)
-	    : arrangement_(arrangement), mesh_(arrangement.mesh), out_(out),
-	      numbers_(arrangement.mesh.points.size() + arrangement.curve.pointCount(), kNone) {
-		for (const PerOperand<std::int32_t>& windings : arrangement.cells.windings) {
-			isInside_.push_back(isInside(windings) ? 1 : 0);
-		}
-	}
+	CellCollector(const Arrangement& arrangement, const CellSet& isInside, Block& out)
+	    : arrangement_(arrangement), mesh_(arrangement.mesh), isInside_(isInside), out_(out),
+	      numbers_(arrangement.mesh.points.size() + arrangement.curve.pointCount(), kNone) {}
 
 	bool isOutsideInside() const { return isInside_[0] != 0; }
 	void collectFaces();
@@ -35,8 +31,8 @@ private:
 
 	const Arrangement& arrangement_;
 	const MeshArrays& mesh_;
+	const CellSet& isInside_;
 	Block& out_;
-	std::vector<std::uint8_t> isInside_;  // per cell
 	std::vector<std::uint32_t> numbers_;  // per vertex: in the block
 };
 
@@ -157,7 +153,15 @@ CellPredicate cellPredicateOf(Operation operation, WindingRule rule) {
 	return of([](bool a, bool b) { return a != b; });
 }
 
-Status collectCells(const Arrangement& arrangement, const CellPredicate& isInside, Monitor& monitor,
+CellSet cellSetOf(const Arrangement& arrangement, const CellPredicate& isInside) {
+	CellSet cells;
+	for (const PerOperand<std::int32_t>& windings : arrangement.cells.windings) {
+		cells.push_back(isInside(windings) ? 1 : 0);
+	}
+	return cells;
+}
+
+Status collectCells(const Arrangement& arrangement, const CellSet& isInside, Monitor& monitor,
                     Block& out) {
 	out = Block{};
 	if (!arrangement.cells.areKnown()) {

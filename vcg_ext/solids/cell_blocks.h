@@ -20,11 +20,17 @@ using CellPredicate = std::function<bool(const PerOperand<std::int32_t>& winding
 // Complexity: O(1).
 CellPredicate cellPredicateOf(Operation operation, WindingRule rule);
 
+// Which cells are inside, a byte each.
+using CellSet = std::vector<std::uint8_t>;
+
+// The cells of which a predicate is true. Throws std::bad_alloc. Complexity: a call for each cell.
+CellSet cellSetOf(const Arrangement& arrangement, const CellPredicate& isInside);
+
 // Collects the faces and vertices of one block, before cleaning.
 // \pre arrangement.cells are known
 // \return Ok, Cancelled; InternalError if the outside is inside. Throws std::bad_alloc.
-// Complexity: O(n) for n faces and pieces, and a call of isInside for each cell.
-Status collectCells(const Arrangement& arrangement, const CellPredicate& isInside, Monitor& monitor,
+// Complexity: O(n) for n faces and pieces.
+Status collectCells(const Arrangement& arrangement, const CellSet& isInside, Monitor& monitor,
                     Block& out);
 
 }  // namespace index_boolean

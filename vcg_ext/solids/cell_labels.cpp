@@ -15,11 +15,12 @@ namespace {
 
 constexpr CellLabels::Sides kNoWall{0, 0};
 
-void listCells(const Arrangement& arrangement, const SubBlocks& blocks, CellLabels& out) {
+// Takes the windings.
+void listCells(const Arrangement& arrangement, SubBlocks& blocks, CellLabels& out) {
 	out.windings.assign(1, PerOperand<std::int32_t>(arrangement.mesh.operands().count()));
 	out.volume.assign(1, 0);
-	for (const SubBlock& block : blocks.all) {
-		out.windings.push_back(block.windings);
+	for (SubBlock& block : blocks.all) {
+		out.windings.push_back(std::move(block.windings));
 		out.volume.push_back(block.volume);
 	}
 }
@@ -27,13 +28,12 @@ void listCells(const Arrangement& arrangement, const SubBlocks& blocks, CellLabe
 // Notes what has been turned, and sums up the volumes of what is inside.
 void measureOperands(const SubBlocks& blocks, Arrangement& arrangement) {
 	arrangement.insideOut = blocks.turned;
-	for (const OperandId operand : arrangement.mesh.operands()) {
-		double volume = 0;
-		for (const SubBlock& block : blocks.all) {
+	std::fill(arrangement.volume.begin(), arrangement.volume.end(), 0);
+	for (const SubBlock& block : blocks.all) {
+		for (const OperandId operand : arrangement.mesh.operands()) {
 			const bool isIn = isInside(arrangement.options.windingRule, block.windings[operand]);
-			volume += isIn ? block.volume : 0;
+			arrangement.volume[operand] += isIn ? block.volume : 0;
 		}
-		arrangement.volume[operand] = volume;
 	}
 }
 
@@ -75,12 +75,10 @@ Status labelCells(Arrangement& arrangement, Monitor& monitor) {
 	return inOrder(
 	    [&] { return findSubSurfaces(arrangement, monitor, surfaces); },
 	    [&] { return findSubBlocks(arrangement, surfaces, Walls::Jumps, monitor, blocks); },
-	    [&] {
-		    listCells(arrangement, blocks, arrangement.cells);
-		    return listSides(arrangement, surfaces, blocks, monitor, arrangement.cells);
-	    },
+	    [&] { return listSides(arrangement, surfaces, blocks, monitor, arrangement.cells); },
 	    [&] {
 		    measureOperands(blocks, arrangement);
+		    listCells(arrangement, blocks, arrangement.cells);
 		    return Status{};
 	    });
 }

@@ -21,9 +21,11 @@ const FilterDefinition& definitionOf(int filter) {
 void addLayerParameter(const ParameterDefinition& definition, MeshDocument& document,
                        RichParameterList& list) {
 	if (document.size() > 0) {
-		const int position = std::min(definition.defaultValue, document.size() - 1);
-		list.addParam(
-		    RichMesh(definition.name, position, &document, definition.label, definition.help));
+		const bool isCurrent = definition.defaultValue == ParameterDefinition::kCurrentLayer;
+		const int position = isCurrent ? document.meshList.indexOf(document.mm())
+		                               : std::min(definition.defaultValue, document.size() - 1);
+		list.addParam(RichMesh(definition.name, std::max(position, 0), &document, definition.label,
+		                       definition.help));
 	}
 }
 
@@ -52,6 +54,10 @@ void addParameter(const ParameterDefinition& definition, MeshDocument& document,
 	case ParameterKind::Choice:
 		list.addParam(RichEnum(definition.name, definition.defaultValue, choicesOf(definition),
 		                       definition.label, definition.help));
+		break;
+	case ParameterKind::Text:
+		list.addParam(
+		    RichString(definition.name, definition.defaultText, definition.label, definition.help));
 		break;
 	}
 }

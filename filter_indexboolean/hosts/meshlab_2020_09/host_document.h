@@ -24,12 +24,18 @@ inline std::vector<int> layerIds(const MeshDocument& document) {
 	return ids;
 }
 
+inline std::vector<const MeshModel*> layersOf(const MeshDocument& document) {
+	return {document.meshList.begin(), document.meshList.end()};
+}
+
 // nullptr if there is none of that id.
 inline MeshModel* findLayer(MeshDocument& document, int id) { return document.getMesh(id); }
 
 inline void deleteLayer(MeshDocument& document, const MeshModel& layer) {
 	document.delMesh(document.getMesh(layer.id()));
 }
+
+inline void hideLayer(MeshModel& layer) { layer.visible = false; }
 
 // This host keeps no pictures: the name is that of the file.
 struct LayerTexture {

@@ -22,6 +22,9 @@ unsigned int defaultLayer(const ParameterDefinition& definition, const MeshDocum
 	if (ids.empty()) {
 		return 0;
 	}
+	if (definition.defaultValue == ParameterDefinition::kCurrentLayer) {
+		return document.mm() != nullptr ? static_cast<unsigned int>(document.mm()->id()) : 0;
+	}
 	const auto position = static_cast<std::size_t>(definition.defaultValue);
 	return static_cast<unsigned int>(ids[std::min(position, ids.size() - 1)]);
 }
@@ -52,6 +55,10 @@ void addParameter(const ParameterDefinition& definition, const MeshDocument& doc
 	case ParameterKind::Choice:
 		list.addParam(RichEnum(definition.name, definition.defaultValue, choicesOf(definition),
 		                       definition.label, definition.help, definition.advanced));
+		break;
+	case ParameterKind::Text:
+		list.addParam(RichString(definition.name, definition.defaultText, definition.label,
+		                         definition.help, definition.advanced));
 		break;
 	}
 }

@@ -24,6 +24,14 @@ inline std::vector<int> layerIds(const MeshDocument& document) {
 	return ids;
 }
 
+inline std::vector<const MeshModel*> layersOf(const MeshDocument& document) {
+	std::vector<const MeshModel*> layers;
+	for (const MeshModel& layer : document.meshIterator()) {
+		layers.push_back(&layer);
+	}
+	return layers;
+}
+
 // nullptr if there is none of that id.
 inline MeshModel* findLayer(MeshDocument& document, int id) {
 	return document.getMesh(static_cast<unsigned int>(id));
@@ -32,6 +40,8 @@ inline MeshModel* findLayer(MeshDocument& document, int id) {
 inline void deleteLayer(MeshDocument& document, const MeshModel& layer) {
 	document.delMesh(static_cast<unsigned int>(layer.id()));
 }
+
+inline void hideLayer(MeshModel& layer) { layer.setVisible(false); }
 
 struct LayerTexture {
 	std::string name;
