@@ -36,8 +36,8 @@ public:
 	// Makes room for faces to be chosen.
 	void expect(std::size_t faceCount) { chosen_.reserve(faceCount); }
 	void choose(const ChosenFace& face) { chosen_.push_back(face); }
-	// Makes the mesh of the chosen faces. \param isBlock they bound one sub-block
-	Status run(bool isBlock);
+	// Makes the mesh of the chosen faces. \param isOneSurface else each sub-surface is one
+	Status run(bool isOneSurface);
 
 private:
 	void listVertices();
@@ -46,7 +46,7 @@ private:
 	Status writeFaces();
 	Status clean();
 	std::vector<std::uint32_t> subSurfaceOfFaces() const;
-	Status certify(bool isBlock);
+	Status certify(bool isOneSurface);
 	Status markPolygons();
 	std::array<std::int32_t, 2> besideOf(const ChosenFace& face) const;
 
@@ -140,10 +140,9 @@ std::vector<std::uint32_t> SplitMeshCollector::subSurfaceOfFaces() const {
 	return part;
 }
 
-// Of a sub-block as a whole; of sub-surfaces each.
-Status SplitMeshCollector::certify(bool isBlock) {
+Status SplitMeshCollector::certify(bool isOneSurface) {
 	const std::vector<std::uint32_t> part =
-	    isBlock ? std::vector<std::uint32_t>{} : subSurfaceOfFaces();
+	    isOneSurface ? std::vector<std::uint32_t>{} : subSurfaceOfFaces();
 	return index_boolean::certify(arrangement_, out_, part, out_.zeroAreaFacesRemoved == 0,
 	                              monitor_, out_.certificate);
 }
@@ -176,28 +175,37 @@ Status SplitMeshCollector::writeFaces() {
 	return parallelFor(n, kGrain, arrangement_.options.threads, monitor_, write);
 }
 
-Status SplitMeshCollector::run(bool isBlock) {
+Status SplitMeshCollector::run(bool isOneSurface) {
+	const auto cleanOneSurface = [this] {
+		const BlockMeasure unrepaired = measureUnrepaired(arrangement_, out_, out_.repair);
+		const Status status = clean();
+		compareWithUnrepaired(arrangement_, unrepaired, out_, out_.repair);
+		return status;
+	};
 	return inOrder([this] { return placeVertices(); }, [this] { return writeFaces(); },
-	               [this] { return clean(); }, [this, isBlock] { return certify(isBlock); },
-	               [this] { return markPolygons(); });
+	               [&] { return isOneSurface ? cleanOneSurface() : clean(); },
+	               [&] { return certify(isOneSurface); }, [this] { return markPolygons(); });
 }
 
 }  // namespace
 
 Status collectSubSurfaces(const Arrangement& arrangement, const SubSurfaces& surfaces,
-                          const SubBlocks& blocks, OperandId operand, Monitor& monitor,
+                          const SubBlocks& blocks, const SurfaceChoice& choice, Monitor& monitor,
                           SplitMesh& out) {
 	out = SplitMesh{};
 	SplitMeshCollector collector(arrangement, surfaces, blocks, monitor, out);
 	const HugeVector<RefinedFace>& faces = surfaces.complex.faces;
 	collector.expect(faces.size());
+	const auto isWanted = [&](std::size_t face) {
+		return choice.isChosen.empty() || at(choice.isChosen, surfaces.ofFace[face]) != 0;
+	};
 	const auto choose = [&](std::size_t begin, std::size_t end) {
 		for (std::size_t f = begin; f < end; ++f) {
-			bool isChosen = false;  // once, however often the operand has it
+			bool isStillWanted = isWanted(f);  // once, however often the operand has it
 			surfaces.complex.visitSources(faces[f], [&](FaceId source, bool opposed) {
-				if (!isChosen && arrangement.mesh.operandOf(source) == operand) {
+				if (isStillWanted && arrangement.mesh.operandOf(source) == choice.operand) {
 					collector.choose({static_cast<std::uint32_t>(f), {source, false}, opposed});
-					isChosen = true;
+					isStillWanted = false;
 				}
 			});
 		}
