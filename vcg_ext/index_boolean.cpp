@@ -25,7 +25,6 @@
 #include "vcg_ext/carry/certificates.h"
 #include "vcg_ext/carry/polygons.h"
 #include "vcg_ext/mesh/clean.h"
-#include "vcg_ext/solids/block_repair.h"
 #include "vcg_ext/solids/cell_labels.h"
 #include "vcg_ext/solids/delaunay_pieces.h"
 #include "vcg_ext/solids/kept_cuts.h"
@@ -447,9 +446,9 @@ void makeBlock(const Arrangement& arrangement, const Collect& collect,
 	stages.run("delaunay_pieces", 0.05,
 	           [&] { return makePiecesDelaunay(arrangement, monitor, out); });
 	stages.run("clean", 0.1, [&] {
-		const BlockMeasure unrepaired = measureUnrepaired(arrangement, out);
+		const BlockMeasure unrepaired = measureUnrepaired(arrangement, out, out.repair);
 		const Status status = finishBlock(arrangement, monitor, out);
-		compareWithUnrepaired(arrangement, unrepaired, out);
+		compareWithUnrepaired(arrangement, unrepaired, out, out.repair);
 		return status;
 	});
 	const bool isAsCut = !mayChange && out.zeroAreaFacesRemoved == 0;
@@ -470,7 +469,10 @@ Status finishAgain(const Arrangement& arrangement, const Collect& collect, Monit
 		                          ? Status{}
 		                          : copyNonManifold(arrangement, monitor, exact);
 	               },
-	               [&] { return compareWithExact(arrangement, exact, out); });
+	               [&] {
+		               compareWithExact(arrangement, exact, out, out.repair);
+		               return Status{};
+	               });
 }
 
 Status extractCollected(const Arrangement& arrangement, const Collect& collect, Monitor& monitor,
@@ -580,15 +582,38 @@ bool hasRepeatedFacesAndIsOpen(const Arrangement& arrangement) {
 	});
 }
 
+// Windings of an operand of which parts are inside out are read as given, but where all are.
+bool isAnyWoundBothWays(const SubBlocks& blocks, Operands operands) {
+	return std::any_of(operands.begin(), operands.end(), [&](OperandId operand) {
+		const auto anyOf = [&](auto&& isSuch) {
+			return std::any_of(blocks.all.begin(), blocks.all.end(), [&](const SubBlock& block) {
+				return isSuch(block.windings[operand]);
+			});
+		};
+		return anyOf([](std::int32_t w) { return w < 0; }) &&
+		       anyOf([](std::int32_t w) { return w > 0; });
+	});
+}
+
 // What an embedded operand may not do shows in the arrangement, or when its parts are found.
-// \param find finds them
-template <class Find>
+// \tparam kFind finds them
+template <Status (*kFind)(const Arrangement&, Monitor&, Split&)>
 Status splitAny(MeshArrays input, const InputAgain& again, const Options& options, Monitor& monitor,
-                Arrangement& out, Find&& find) {
+                Arrangement& out, Split& parts) {
+	const auto find = [&] { return kFind(out, monitor, parts); };
+	const std::size_t count = input.operands().count();
+	if (count == 0) {
+		return statusOf(StatusCode::EmptyOperand);
+	}
+	if (count != 2) {
+		return inOrder(
+		    [&] { return arrangeFor(kSplitSoup, std::move(input), options, monitor, out); }, find);
+	}
 	const Status status =
 	    inOrder([&] { return arrangeSurfaces(std::move(input), options, monitor, out); }, find);
-	const bool isSoup = isOnlyForEmbedded(status.code, options.selfIntersections) ||
-	                    (status.ok() && hasRepeatedFacesAndIsOpen(out));
+	const bool isSoup = status.ok() ? hasRepeatedFacesAndIsOpen(out) ||
+	                                      isAnyWoundBothWays(parts.blocks, out.mesh.operands())
+	                                : isOnlyForEmbedded(status.code, options.selfIntersections);
 	if (!isSoup) {
 		return status;
 	}
@@ -599,14 +624,28 @@ Status splitAny(MeshArrays input, const InputAgain& again, const Options& option
 
 Status splitOperands(MeshArrays input, const InputAgain& again, const Options& options,
                      Monitor& monitor, Arrangement& out, Split& parts) {
-	return splitAny(std::move(input), again, options, monitor, out,
-	                [&] { return split(out, monitor, parts); });
+	return splitAny<split>(std::move(input), again, options, monitor, out, parts);
 }
 
 Status splitOperandSurfaces(MeshArrays input, const InputAgain& again, const Options& options,
                             Monitor& monitor, Arrangement& out, Split& parts) {
-	return splitAny(std::move(input), again, options, monitor, out,
-	                [&] { return splitSurfaces(out, monitor, parts); });
+	return splitAny<splitSurfaces>(std::move(input), again, options, monitor, out, parts);
+}
+
+Status requireSolids(const std::vector<OperandId>& solids, const InputAgain& again,
+                     Monitor& monitor, Arrangement& out, Split& parts) {
+	const bool isAnyOpen = std::any_of(solids.begin(), solids.end(),
+	                                   [&](OperandId operand) { return !out.closed[operand]; });
+	Status status;
+	if (isAnyOpen && !out.isSoup) {
+		const Options options = out.options;
+		status = inOrder([&] { return arrangeAgain(kSplitSoup, again, options, monitor, out); },
+		                 [&] { return split(out, monitor, parts); });
+	}
+	for (std::size_t i = 0; i < solids.size() && status.ok(); ++i) {
+		status = guarded([&] { return refuseSolid(out, parts.blocks, solids[i]); });
+	}
+	return status;
 }
 
 Status extractCurve(const Arrangement& arrangement, Monitor& monitor, CurveLines& out) {
@@ -620,7 +659,8 @@ Status extractSubSurfaces(const Arrangement& arrangement, const Split& split, Op
                           Monitor& monitor, SplitMesh& out) {
 	return guarded([&] {
 		monitor.beginStage("split_meshes", 0, 1);
-		return collectSubSurfaces(arrangement, split.surfaces, split.blocks, operand, monitor, out);
+		return collectSubSurfaces(arrangement, split.surfaces, split.blocks, {operand, {}, false},
+		                          monitor, out);
 	});
 }
 
@@ -629,6 +669,14 @@ Status extractSubBlock(const Arrangement& arrangement, const Split& split, SubBl
 	return guarded([&] {
 		monitor.beginStage("split_meshes", 0, 1);
 		return collectSubBlock(arrangement, split.surfaces, split.blocks, block, monitor, out);
+	});
+}
+
+Status extractClip(const Arrangement& arrangement, const Split& split, const Clip& clip,
+                   Monitor& monitor, SplitMesh& out) {
+	return guarded([&] {
+		monitor.beginStage("split_meshes", 0, 1);
+		return collectClip(arrangement, split.surfaces, split.blocks, clip, monitor, out);
 	});
 }
 
@@ -702,6 +750,15 @@ Status audit(const Arrangement& arrangement, const Split& split,
              const std::vector<SplitMesh>& boundaries, Monitor& monitor, SplitAudit& out) {
 	return guarded([&] {
 		return auditSubBlocks(arrangement, split.surfaces, split.blocks, boundaries, monitor, out);
+	});
+}
+
+Status audit(const Arrangement& arrangement, const Split& split, const Clip& clip,
+             const SplitMesh& mesh, Monitor& monitor, BlockMeasure& measure) {
+	return guarded([&] {
+		const Status status =
+		    auditClip(arrangement, split.surfaces, split.blocks, clip, mesh, measure);
+		return status.ok() && pollCancelled(monitor) ? statusOf(StatusCode::Cancelled) : status;
 	});
 }
 

@@ -18,6 +18,7 @@
 #include "vcg_ext/carry/attributes.h"
 #include "vcg_ext/mesh/measure.h"
 #include "vcg_ext/mesh/mesh_arrays.h"
+#include "vcg_ext/parts/clip.h"
 #include "vcg_ext/parts/split_audit.h"
 #include "vcg_ext/parts/split_meshes.h"
 #include "vcg_ext/solids/blocks.h"
@@ -101,7 +102,7 @@ Status arrangeOperands(MeshArrays input, const InputAgain& again, const Options&
 Status arrangeSurfaces(MeshArrays input, const Options& options, Monitor& monitor,
                        Arrangement& out);
 
-// All parts of two surfaces, and of the space between them.
+// All parts of surfaces, and of the space between them.
 struct Split {
 	SubSurfaces surfaces;
 	SubBlocks blocks;
@@ -118,27 +119,40 @@ Status split(const Arrangement& arrangement, Monitor& monitor, Split& out);
 // \return Ok, Cancelled, OutOfMemory, InternalError. Complexity: as split.
 Status splitSurfaces(const Arrangement& arrangement, Monitor& monitor, Split& out);
 
-// Intersects any two surfaces, which may meet themselves, and finds all their parts, or the
-// sub-surfaces alone: as arrangeSurfaces and split, and what meets itself, as one soup.
-// options.selfIntersections and `again` as for arrangeOperands.
-// \return any StatusCode but NotClosed, NotOriented, NoVolume, NestedComponents
+// Intersects any number of surfaces, which may meet themselves, and finds all their parts, or the
+// sub-surfaces alone: two as arrangeSurfaces and split; what meets itself, and any other number of
+// them, as one soup. options.selfIntersections and `again` as for arrangeOperands.
+// \return any StatusCode but NotClosed, NotOriented, NoVolume, NestedComponents; EmptyOperand, too,
+//         if there is no operand
 // Complexity: of those two.
 Status splitOperands(MeshArrays input, const InputAgain& again, const Options& options,
                      Monitor& monitor, Arrangement& out, Split& parts);
 Status splitOperandSurfaces(MeshArrays input, const InputAgain& again, const Options& options,
                             Monitor& monitor, Arrangement& out, Split& parts);
 
+// Sees to it that some operands of a split are solids, by which others can be clipped: what is open
+// as it was given may be closed as it is cut, or by the winding rule, for which the run begins
+// again as one soup. \param again as for splitOperands \param out, parts as splitOperands has left
+// them; replaced if the run begins again \return NotClosed, NotOriented or NoVolume of the first
+// operand that is none; any StatusCode of
+//         splitOperands. Complexity: O(c) for c sub-blocks, or that of splitOperands.
+Status requireSolids(const std::vector<OperandId>& solids, const InputAgain& again,
+                     Monitor& monitor, Arrangement& out, Split& parts);
+
 // The loops as polylines; see curve_lines.h. \return Ok, Cancelled, OutOfMemory
 // Complexity: O(k) for k points of the curve.
 Status extractCurve(const Arrangement& arrangement, Monitor& monitor, CurveLines& out);
 
 // The mesh of all sub-surfaces of one operand, and the boundary of one sub-block; see
-// split_meshes.h. \return Ok, Cancelled, OutOfMemory, InternalError
+// split_meshes.h; and those sub-surfaces that lie in an operand that is a solid, or outside of
+// it; see clip.h. \return Ok, Cancelled, OutOfMemory, InternalError
 // Complexity: O(n) for n triangles of the arrangement; of a sub-block, O(m) for its m faces.
 Status extractSubSurfaces(const Arrangement& arrangement, const Split& split, OperandId operand,
                           Monitor& monitor, SplitMesh& out);
 Status extractSubBlock(const Arrangement& arrangement, const Split& split, SubBlockId block,
                        Monitor& monitor, SplitMesh& out);
+Status extractClip(const Arrangement& arrangement, const Split& split, const Clip& clip,
+                   Monitor& monitor, SplitMesh& out);
 
 // The seams of the operands, which stay in every output; see seams.h.
 // \return Ok, Cancelled, OutOfMemory, InternalError. Complexity: O(n log n); nothing without seams.
@@ -175,5 +189,12 @@ Status audit(const Arrangement& arrangement, const std::vector<Block>& blocks,
 // Complexity: O(n) for all faces of the boundaries.
 Status audit(const Arrangement& arrangement, const Split& split,
              const std::vector<SplitMesh>& boundaries, Monitor& monitor, SplitAudit& out);
+
+// Audits a clip, with its mesh as delivered; see split_audit.h.
+// \param measure replaced: of the mesh
+// \return Ok, Cancelled, OutOfMemory, or InternalError if the check fails
+// Complexity: O(n) for its faces and the operands' points.
+Status audit(const Arrangement& arrangement, const Split& split, const Clip& clip,
+             const SplitMesh& mesh, Monitor& monitor, BlockMeasure& measure);
 
 }  // namespace index_boolean

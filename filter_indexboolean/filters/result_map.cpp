@@ -21,6 +21,19 @@ std::string keyOf(std::string stage) {
 	return stage;
 }
 
+// Of a surface that is certified as one.
+void addCertificate(const std::string& name, const SourcedMesh& mesh, const SurfaceRepair& ofMesh,
+                    const PlaceRepair& repair, ResultMap& map) {
+	map[name + "_self_intersections"] = static_cast<int>(mesh.certificate.count());
+	if (mesh.certificate.isKnown) {
+		map[name + "_repair_rounds"] = toInt(repair.rounds);
+		map[name + "_moved_vertices"] = toInt(ofMesh.movedVertices);
+		map[name + "_largest_move"] = repair.largestMove;
+		map[name + "_volume_change"] = ofMesh.volumeChange;
+		map[name + "_vanished_components"] = toInt(ofMesh.vanishedComponents);
+	}
+}
+
 // \param i which of the blocks \param name what its keys begin with
 void addBlock(const BlocksResult& result, std::size_t i, const std::string& name, int layerId,
               ResultMap& map) {
@@ -33,14 +46,7 @@ void addBlock(const BlocksResult& result, std::size_t i, const std::string& name
 	map[name + "_faces"] = toInt(block.triangles.size());
 	map[name + "_components"] = toInt(measure.components);
 	map[name + "_closed"] = measure.closed;
-	map[name + "_self_intersections"] = static_cast<int>(block.certificate.count());
-	if (block.certificate.isKnown) {
-		map[name + "_repair_rounds"] = toInt(repair.rounds);
-		map[name + "_moved_vertices"] = toInt(block.repair.movedVertices);
-		map[name + "_largest_move"] = repair.largestMove;
-		map[name + "_volume_change"] = block.repair.volumeChange;
-		map[name + "_vanished_components"] = toInt(block.repair.vanishedComponents);
-	}
+	addCertificate(name, block, block.repair, repair, map);
 }
 
 // Those of all meshes.
@@ -69,9 +75,9 @@ void addLoops(const CurveLines& curves, int layerId, ResultMap& map) {
 	map["loop_kinds"] = listOf(curves.lines, [](const CurveLine& line) { return line.kind; });
 }
 
-void addSubSurfaces(const SplitResult& result, OperandId operand, ResultMap& map) {
+void addSubSurfaces(const SplitResult& result, OperandId operand, const std::string& name,
+                    ResultMap& map) {
 	const std::vector<SubSurfaceId>& ids = result.split.surfaces.ofOperand[operand];
-	const std::string name = kPieceNames[static_cast<std::size_t>(subSurfacesOf(operand))];
 	const auto listOfSurfaces = [&](auto&& number) {
 		return listOf(ids,
 		              [&](SubSurfaceId id) { return number(at(result.split.surfaces.all, id)); });
@@ -99,30 +105,56 @@ std::vector<std::int64_t> concernedPerSubSurface(const SplitResult& result, Oper
 }
 
 // Of the pieces of each kind that is asked for.
-void addCertificates(const SplitResult& result, const PieceLayers& layerIds, ResultMap& map) {
+void addCertificates(const SplitResult& result, const SplitNames& names,
+                     const PieceLayers& layerIds, ResultMap& map) {
 	for (const OperandId operand : result.surfaceMeshes.operands()) {
-		const auto kind = static_cast<std::size_t>(subSurfacesOf(operand));
-		if (!layerIds[kind].empty()) {
-			map[std::string(kPieceNames[kind]) + "_self_intersections"] =
+		if (!layerIds.subSurfaces[operand].empty()) {
+			map[names.keyOf(Pieces::subSurfacesOf(operand)) + "_self_intersections"] =
 			    listOf(concernedPerSubSurface(result, operand), [](std::int64_t n) { return n; });
 		}
 	}
-	if (!layerIds[static_cast<std::size_t>(PieceKind::SubBlocks)].empty()) {
+	if (!layerIds.subBlocks.empty()) {
 		map["sub_blocks_self_intersections"] =
 		    listOf(result.blockMeshes, [](const SplitMesh& m) { return m.certificate.count(); });
 	}
 }
 
-void addSubBlocks(const std::vector<SubBlock>& blocks, WindingRule rule, ResultMap& map) {
-	const auto isIn = [&](OperandId operand) {
-		return listOf(blocks,
-		              [=](const SubBlock& b) { return isInside(rule, b.windings[operand]); });
-	};
+void addSubBlocks(const SplitResult& result, const SplitNames& names, ResultMap& map) {
+	const std::vector<SubBlock>& blocks = result.split.blocks.all;
+	const WindingRule rule = result.arrangement.options.windingRule;
 	map["sub_blocks"] = toInt(blocks.size());
 	map["sub_blocks_volumes"] = listOf(blocks, [](const SubBlock& b) { return b.volume; });
 	map["sub_blocks_areas"] = listOf(blocks, [](const SubBlock& b) { return b.area; });
-	map["sub_blocks_in_first"] = isIn(kFirst);
-	map["sub_blocks_in_second"] = isIn(kSecond);
+	for (const OperandId operand : result.surfaceMeshes.operands()) {
+		map["sub_blocks_in_" + names.keyOf(operand)] =
+		    listOf(blocks, [&](const SubBlock& b) { return isInside(rule, b.windings[operand]); });
+	}
+}
+
+void addClips(const SplitResult& result, const std::vector<Clip>& clips, const SplitNames& names,
+              const PieceLayers& layerIds, ResultMap& map) {
+	for (std::size_t i = 0; i < clips.size(); ++i) {
+		const std::string name = names.keyOf(Pieces::of(clips[i]));
+		const SplitMesh& mesh = result.clipMeshes[i];
+		map[name + "_layer"] = layerIds.clips[i];
+		map[name + "_area"] = result.clipMeasures[i].area;
+		map[name + "_faces"] = toInt(mesh.triangles.size());
+		addCertificate(name, mesh, mesh.repair, result.report.placeRepair, map);
+	}
+}
+
+// The layers of one kind of pieces, if it was asked for.
+void addLayers(const std::string& name, const std::vector<int>& layerIds, ResultMap& map) {
+	if (!layerIds.empty()) {
+		map[name + "_layer"] = layerIds.front();
+		map[name + "_layers"] = listOf(layerIds, [](int id) { return id; });
+	}
+}
+
+// Which layer each number of a list stands for.
+void addOperands(const LayerNames& layers, ResultMap& map) {
+	map["operands"] = toInt(layers.size());
+	map["operand_layers"] = listOf(layers, [](const LayerName& layer) { return layer.id; });
 }
 
 // Pairs of a loop and a sub-surface of an operand that it bounds, as two lists.
@@ -197,8 +229,7 @@ ResultMap resultMap(const ExpressionResult& result, const LayerNames& operands,
 	for (std::size_t i = 0; i < result.blocks.size(); ++i) {
 		addBlock(result, i, "result_" + std::to_string(i), layerIds[i], map);
 	}
-	map["operands"] = toInt(operands.size());
-	map["operand_layers"] = listOf(operands, [](const LayerName& layer) { return layer.id; });
+	addOperands(operands, map);
 	map["self_intersecting_faces"] =
 	    listOf(result.report.selfIntersecting, [](std::size_t faces) { return faces; });
 	map["cells"] = toInt(result.cells);
@@ -217,28 +248,30 @@ ResultMap resultMap(const ExpressionResult& result, int layerId, const AdapterSe
 	return map;
 }
 
-ResultMap resultMap(const SplitResult& result, const PieceLayers& layerIds,
+ResultMap resultMap(const SplitResult& result, const std::vector<Clip>& clips,
+                    const SplitNames& names, const PieceLayers& layerIds,
                     const AdapterSeconds& seconds) {
 	ResultMap map;
 	for (const OperandId operand : result.surfaceMeshes.operands()) {
-		addSubSurfaces(result, operand, map);
+		const std::string name = names.keyOf(Pieces::subSurfacesOf(operand));
+		addSubSurfaces(result, operand, name, map);
+		addLayers(name, layerIds.subSurfaces[operand], map);
+		map["self_intersecting_faces_" + names.keyOf(operand)] =
+		    toInt(result.report.selfIntersecting[operand]);
 	}
-	addSubBlocks(result.split.blocks.all, result.arrangement.options.windingRule, map);
-	addCertificates(result, layerIds, map);
-	for (std::size_t kind = 0; kind < layerIds.size(); ++kind) {
-		if (layerIds[kind].empty()) {
-			continue;
-		}
-		map[std::string(kPieceNames[kind]) + "_layer"] = layerIds[kind].front();
-		map[std::string(kPieceNames[kind]) + "_layers"] =
-		    listOf(layerIds[kind], [](int id) { return id; });
+	addSubBlocks(result, names, map);
+	addLayers("sub_blocks", layerIds.subBlocks, map);
+	addCertificates(result, names, layerIds, map);
+	addClips(result, clips, names, layerIds, map);
+	if (names.isList) {
+		addOperands(names.layers, map);
 	}
 	map["sub_blocks_closed"] = result.audit.closed;
 	map["volume_law_residual"] = result.audit.volumeLawResidual;
-	map["zero_area_faces_removed"] = toInt(zeroAreaFacesRemoved(result.surfaceMeshes) +
-	                                       zeroAreaFacesRemoved(result.blockMeshes));
+	map["zero_area_faces_removed"] =
+	    toInt(zeroAreaFacesRemoved(result.surfaceMeshes) +
+	          zeroAreaFacesRemoved(result.blockMeshes) + zeroAreaFacesRemoved(result.clipMeshes));
 	addReport(result.report, seconds, map);
-	addSelfIntersecting(result.report, map);
 	return map;
 }
 

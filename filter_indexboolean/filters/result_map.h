@@ -11,6 +11,7 @@
 #include "runs/split_run.h"
 #include "texts/filter_definitions.h"
 #include "texts/layer_names.h"
+#include "texts/split_names.h"
 
 #include <QVariant>
 
@@ -38,10 +39,16 @@ ResultMap resultMap(const ExpressionResult& result, const LayerNames& operands,
 // The same of one layer that has been resolved.
 ResultMap resultMap(const ExpressionResult& result, int layerId, const AdapterSeconds& seconds);
 
-// The ids of the layers of each kind of pieces; none of what was not asked for.
-using PieceLayers = std::array<std::vector<int>, kPieceKindCount>;
+// The ids of the layers of pieces; none of what was not asked for.
+struct PieceLayers {
+	PerOperand<std::vector<int>> subSurfaces;  // of each operand
+	std::vector<int> subBlocks;
+	std::vector<int> clips;  // in the order of the request
+};
 
-ResultMap resultMap(const SplitResult& result, const PieceLayers& layerIds,
+// \param clips as they have been asked for
+ResultMap resultMap(const SplitResult& result, const std::vector<Clip>& clips,
+                    const SplitNames& names, const PieceLayers& layerIds,
                     const AdapterSeconds& seconds);
 
 ResultMap resultMap(const CurvesResult& result, int layerId, const AdapterSeconds& seconds);

@@ -103,11 +103,15 @@ void refuseUnlessOk(const Status& status, const LayerNames& names) {
 	}
 }
 
-void refuseDefect(const Status& status, const OperandArrays& read, const OperandLayers& operands) {
+void selectDefect(const Status& status, const OperandArrays& read, const OperandLayers& operands) {
 	const OperandId operand = operandOf(status);
 	if (!status.faces.empty()) {
 		selectFaces(status.faces, read.elements[operand].faces, *operands.layers[operand]);
 	}
+}
+
+void refuseDefect(const Status& status, const OperandArrays& read, const OperandLayers& operands) {
+	selectDefect(status, read, operands);
 	refuseUnlessOk(status, operands.names);
 }
 

@@ -51,7 +51,10 @@ Options readSurfaceOptions(FilterId filter, const ParameterValues& values);
 // Throws Refusal with the status's sentence.
 void refuseUnlessOk(const Status& status, const LayerNames& names);
 
-// The same, with the status's faces left selected in the layer that they have been read from.
+// Leaves the status's faces, if it has any, selected in the layer that they have been read from.
+void selectDefect(const Status& status, const OperandArrays& read, const OperandLayers& operands);
+
+// Throws Refusal with the status's sentence, and its faces selected.
 void refuseDefect(const Status& status, const OperandArrays& read, const OperandLayers& operands);
 
 // Reads the layers once more, for a run that begins again. Borrows the layers and the progress.

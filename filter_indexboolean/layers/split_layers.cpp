@@ -24,10 +24,10 @@ void append(const Array& more, Array& all) {
 	all.insert(all.end(), more.begin(), more.end());
 }
 
-SplitLayer emptyLayer(PieceKind kind, const LayerNames& names) {
+SplitLayer emptyLayer(const Pieces& pieces, const SplitNames& names) {
 	SplitLayer layer;
-	layer.kind = kind;
-	layer.label = splitLabel(kind, names);
+	layer.pieces = pieces;
+	layer.label = names.labelOf(pieces);
 	return layer;
 }
 
@@ -69,9 +69,10 @@ FaceNumber idOf(PieceKind kind) {
 }
 
 void colourFaces(SplitLayer& layer) {
-	// Sub-surfaces of the two operands with the same id are not to look alike.
-	const std::size_t shift = layer.kind == PieceKind::SubSurfacesOfSecond ? 4 : 0;
-	for (const std::int32_t id : numbersOf(idOf(layer.kind), layer)) {
+	// Sub-surfaces of two operands with the same id are not to look alike.
+	const bool isOfBlocks = layer.pieces.kind == PieceKind::SubBlocks;
+	const std::size_t shift = isOfBlocks ? 0 : 4 * std::size_t{layer.pieces.operand.value};
+	for (const std::int32_t id : numbersOf(idOf(layer.pieces.kind), layer)) {
 		layer.colours.push_back(colourOf(static_cast<std::size_t>(id) + shift));
 	}
 }
@@ -85,7 +86,7 @@ public:
 	// \param faces all those of the id
 	SplitLayer part(std::size_t id, const std::vector<std::uint32_t>& faces) {
 		SplitLayer layer;
-		layer.kind = whole_.kind;
+		layer.pieces = whole_.pieces;
 		layer.label = whole_.label + " " + std::to_string(id);
 		for (const std::uint32_t face : faces) {
 			std::array<std::uint32_t, 3> triangle{};
@@ -140,7 +141,7 @@ private:
 };
 
 void appendParts(const SplitLayer& whole, std::size_t count, std::vector<SplitLayer>& layers) {
-	const auto& ids = whole.numbers[static_cast<std::size_t>(idOf(whole.kind))];
+	const auto& ids = whole.numbers[static_cast<std::size_t>(idOf(whole.pieces.kind))];
 	std::vector<std::vector<std::uint32_t>> faces(count);
 	for (std::uint32_t face = 0; face < ids.size(); ++face) {
 		faces[static_cast<std::size_t>(ids[face])].push_back(face);
@@ -152,8 +153,8 @@ void appendParts(const SplitLayer& whole, std::size_t count, std::vector<SplitLa
 }
 
 void appendSurfaceLayers(const SplitResult& result, OperandId operand, bool separate,
-                         const LayerNames& names, std::vector<SplitLayer>& layers) {
-	SplitLayer whole = emptyLayer(subSurfacesOf(operand), names);
+                         const SplitNames& names, std::vector<SplitLayer>& layers) {
+	SplitLayer whole = emptyLayer(Pieces::subSurfacesOf(operand), names);
 	appendMesh(result.surfaceMeshes[operand], kNoNumber, result, whole);
 	colourFaces(whole);
 	if (separate) {
@@ -163,20 +164,29 @@ void appendSurfaceLayers(const SplitResult& result, OperandId operand, bool sepa
 	}
 }
 
-void appendBlockLayers(const SplitResult& result, bool separate, const LayerNames& names,
+void appendBlockLayers(const SplitResult& result, bool separate, const SplitNames& names,
                        std::vector<SplitLayer>& layers) {
 	const std::size_t first = layers.size();
 	if (!separate || result.blockMeshes.empty()) {
-		layers.push_back(emptyLayer(PieceKind::SubBlocks, names));
+		layers.push_back(emptyLayer(Pieces::subBlocks(), names));
 	}
 	for (std::size_t id = 0; id < result.blockMeshes.size(); ++id) {
 		if (separate) {
-			layers.push_back(emptyLayer(PieceKind::SubBlocks, names));
+			layers.push_back(emptyLayer(Pieces::subBlocks(), names));
 			layers.back().label += " " + std::to_string(id);
 		}
 		appendMesh(result.blockMeshes[id], static_cast<std::int32_t>(id), result, layers.back());
 	}
 	std::for_each(layers.begin() + static_cast<std::ptrdiff_t>(first), layers.end(), colourFaces);
+}
+
+void appendClipLayers(const SplitResult& result, const SplitRequest& request,
+                      const SplitNames& names, std::vector<SplitLayer>& layers) {
+	for (std::size_t i = 0; i < request.clips.size(); ++i) {
+		layers.push_back(emptyLayer(Pieces::of(request.clips[i]), names));
+		appendMesh(result.clipMeshes[i], kNoNumber, result, layers.back());
+		colourFaces(layers.back());
+	}
 }
 
 }  // namespace
@@ -194,7 +204,7 @@ bool hasLayerForEachPiece(const SplitResult& result, const SplitRequest& request
 }
 
 std::vector<SplitLayer> splitLayers(const SplitResult& result, const SplitRequest& request,
-                                    const LayerNames& names) {
+                                    const SplitNames& names) {
 	const bool separate = hasLayerForEachPiece(result, request);
 	std::vector<SplitLayer> layers;
 	for (const OperandId operand : request.subSurfaces.operands()) {
@@ -205,6 +215,7 @@ std::vector<SplitLayer> splitLayers(const SplitResult& result, const SplitReques
 	if (request.subBlocks) {
 		appendBlockLayers(result, separate, names, layers);
 	}
+	appendClipLayers(result, request, names, layers);
 	return layers;
 }
 

@@ -6,8 +6,7 @@
 #pragma once
 
 #include "runs/split_run.h"
-#include "texts/filter_definitions.h"
-#include "texts/messages.h"
+#include "texts/split_names.h"
 
 #include <string>
 #include <vector>
@@ -28,24 +27,24 @@ constexpr std::array<const char*, kFaceNumberCount> kFaceNumberNames{
     {"sub_surface", "block_front", "block_back", "sub_block"}};
 
 struct SplitLayer : SourcedMesh {
-	PieceKind kind;
+	Pieces pieces;
 	std::string label;
 	// Per FaceNumber and face; SubBlock is empty but for layers of sub-blocks.
 	std::array<std::vector<std::int32_t>, kFaceNumberCount> numbers;
 	std::vector<Colour> colours;  // per face
 };
 
-// How many pieces have been asked for.
+// How many pieces have been asked for, without clips.
 std::size_t pieceCount(const SplitResult& result, const SplitRequest& request);
 
 // Whether the pieces asked for get a layer each.
 bool hasLayerForEachPiece(const SplitResult& result, const SplitRequest& request);
 
-// The layers, in the order of PieceKind, then of the pieces' ids; at least one of each kind that is
-// asked for, if an empty one.
+// The layers, in the order of PieceKind, then of the operands, clips, and the pieces' ids; at least
+// one of each that is asked for, if an empty one. A clip has one in any case.
 // Complexity: O(n) for all faces. Throws std::bad_alloc.
 std::vector<SplitLayer> splitLayers(const SplitResult& result, const SplitRequest& request,
-                                    const LayerNames& names);
+                                    const SplitNames& names);
 
 // A colour for each id; colours of neighbouring ids are far from each other.
 Colour colourOf(std::size_t id);

@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The Index Boolean authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// in: both operands' arrays and a request; out: the sub-surfaces and sub-blocks, their meshes, and
-// all that the result map and the log report. Free of MeshLab: any host's adapter runs it.
+// in: the operands' arrays and a request; out: the sub-surfaces and sub-blocks, their meshes and
+// those of clips, and all that the result map and the log report. Free of MeshLab: any host's
+// adapter runs it.
 #pragma once
 
 #include "runs/progress.h"
@@ -18,6 +19,7 @@ struct SplitRequest {
 	Options options;
 	PerOperand<bool> subSurfaces{true, true};  // of each operand
 	bool subBlocks = true;
+	std::vector<Clip> clips;
 	bool separateLayers = false;  // a layer for each piece
 	std::size_t maxLayers = 64;   // above which separateLayers is not followed
 };
@@ -29,6 +31,8 @@ struct SplitResult {
 	Split split;
 	PerOperand<SplitMesh> surfaceMeshes;  // of each operand; empty unless asked for
 	std::vector<SplitMesh> blockMeshes;   // of each block; none unless asked for
+	std::vector<SplitMesh> clipMeshes;    // of each clip that is asked for
+	std::vector<BlockMeasure> clipMeasures;
 	SplitAudit audit;
 
 	// How many sub-surfaces an operand has.
@@ -37,7 +41,7 @@ struct SplitResult {
 	}
 };
 
-// \param input    moved in
+// \param input    moved in: as many operands as request.subSurfaces has
 // \param result   meaningful only if the status is Ok
 // \return any StatusCode
 Status runSplit(MeshArrays input, const InputAgain& again, const SplitRequest& request,

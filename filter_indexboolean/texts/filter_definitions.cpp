@@ -41,14 +41,17 @@ const char* const kCurvesHelp =
     "The layers' matrices are applied. Of the file formats, OBJ keeps edges.<br>";
 
 const char* const kSplitHelp =
-    "Cuts two layers by each other, open or closed, and gives <b>every piece</b>: the "
-    "<i>sub-surfaces</i> that each layer falls into, and the <i>sub-blocks</i>, the closed parts "
-    "of space that both layers together bound. So a surface is cut by a surface, a solid by a "
-    "sheet, a block by faults and horizons.<br>"
+    "Cuts two layers by each other, open or closed, or any number of them, and gives <b>every "
+    "piece</b>: the <i>sub-surfaces</i> that each layer falls into, and the <i>sub-blocks</i>, the "
+    "closed parts of space that all layers together bound. So a surface is cut by a surface, a "
+    "solid by a sheet, a block by faults and horizons.<br>"
+    "It also <b>clips</b>: an open surface by a closed one, to what lies inside it or outside. "
+    "What lies on it counts as inside.<br>"
     "All decisions are exact. A line that ends inside a surface does not part it; a sheet that "
     "ends inside a solid parts nothing there.<br>"
     "Pieces have colours and numbers. Each face has the scalar attributes <b>source_mesh</b> (0 "
-    "first, 1 second), <b>source_face</b> (its face in that layer), <b>sub_surface</b>, "
+    "first, 1 second; or the number in the list), <b>source_face</b> (its face in that layer), "
+    "<b>sub_surface</b>, "
     "<b>block_front</b> and <b>block_back</b> (the sub-blocks on its two sides), faces of "
     "sub-blocks <b>sub_block</b> too; numbers start at 0, -1 is the outside. They do not depend on "
     "the order of vertices and faces.<br>"
@@ -261,6 +264,23 @@ ParameterList operator+(ParameterList list, const ParameterList& more) {
 	return list;
 }
 
+ParameterDefinition clipParameter(const char* name, const char* label, const char* help) {
+	return {name, kBool, 0, 0, 1, false, label, help};
+}
+
+const ParameterDefinition kCutLayers{
+    "layers",
+    ParameterKind::Text,
+    0,
+    0,
+    0,
+    false,
+    "Layers",
+    "All layers that cut each other, in place of the first and the second: visible, all, or ids "
+    "and labels separated by commas, labels in double quotes. Empty: the first and the second "
+    "layer. visible and all leave out layers without faces and those that Index Boolean has made. "
+    "A clip is of the first and the second layer all the same; they must be in the list."};
+
 FilterDefinition booleanDefinition() {
 	return {
 	    FilterId::GenerateIndexBoolean,
@@ -301,13 +321,33 @@ FilterDefinition splitDefinition() {
 	    {
 	        kFirstSurface,
 	        kSecondSurface,
+	        kCutLayers,
 	        {"sub_surfaces_first", kBool, 1, 0, 1, false, "Sub-surfaces of the first",
-	         "A new layer with A as it is cut by B, each sub-surface with a number and a colour."},
+	         "A new layer with A as it is cut by B, each sub-surface with a number and a colour. "
+	         "Not used with a list of layers."},
 	        {"sub_surfaces_second", kBool, 1, 0, 1, false, "Sub-surfaces of the second",
-	         "A new layer with B as it is cut by A, each sub-surface with a number and a colour."},
+	         "A new layer with B as it is cut by A, each sub-surface with a number and a colour. "
+	         "Not used with a list of layers."},
+	        {"sub_surfaces", kBool, 1, 0, 1, false, "Sub-surfaces of each layer of the list",
+	         "A new layer for each layer of the list, as all others cut it, each sub-surface with "
+	         "a number and a colour. Used only with a list of layers."},
 	        {"sub_blocks", kBool, 1, 0, 1, false, "Sub-blocks",
-	         "A new layer with the closed boundaries of all parts of space that A and B bound, "
+	         "A new layer with the closed boundaries of all parts of space that the layers bound, "
 	         "each with a number and a colour."},
+	        clipParameter("first_inside_second", "First inside second",
+	                      "A new layer with what of A, open or closed, lies inside B or on it. B "
+	                      "must be closed."),
+	        clipParameter(
+	            "first_outside_second", "First outside second",
+	            "A new layer with what of A, open or closed, lies neither inside B nor on "
+	            "it. B must be closed."),
+	        clipParameter("second_inside_first", "Second inside first",
+	                      "A new layer with what of B, open or closed, lies inside A or on it. A "
+	                      "must be closed."),
+	        clipParameter(
+	            "second_outside_first", "Second outside first",
+	            "A new layer with what of B, open or closed, lies neither inside A nor on "
+	            "it. A must be closed."),
 	        {"separate_layers", kBool, 0, 0, 1, false, "A layer for each piece",
 	         "Each sub-surface and each sub-block gets a layer of its own, as long as these are at "
 	         "most as many as stated below."},
@@ -318,6 +358,7 @@ FilterDefinition splitDefinition() {
 	        kWindingRule,
 	        kCertify,
 	        kCertifyAs,
+	        kHideOperands,
 	        kOctreeMaxDepth,
 	        kOctreeLeafSize,
 	    },
@@ -401,22 +442,10 @@ bool isFileSuffix(const std::string& text) {
 	       std::none_of(text.begin(), text.end(), isOther);
 }
 
-// A layer's label as a part of a new one: without the suffix of its file, and without dots. MeshLab
-// takes what follows a dot for a suffix: "a.ply union b.ply" it would save as a.ply, over the
-// operand, and a second layer of that label it would call "a(1).ply".
-std::string nameInLabel(std::string label) {
-	const std::size_t dot = label.rfind('.');
-	if (dot != std::string::npos && isFileSuffix(label.substr(dot + 1))) {
-		label.erase(dot);
-	}
-	std::replace(label.begin(), label.end(), '.', '_');
-	return label;
-}
-
 constexpr std::size_t kLongestLabel = 60;
 
 std::string joinedLabel(const LayerName& left, const char* infix, const LayerName& right) {
-	return nameInLabel(left.label) + " " + infix + " " + nameInLabel(right.label);
+	return nameInLabel(left) + " " + infix + " " + nameInLabel(right);
 }
 
 }  // namespace
@@ -441,22 +470,20 @@ const ParameterDefinition& parameterDefinition(FilterId id, const std::string& n
 	                     [&](const ParameterDefinition& p) { return name == p.name; });
 }
 
+std::string nameInLabel(const LayerName& layer) {
+	std::string label = layer.label;
+	const std::size_t dot = label.rfind('.');
+	if (dot != std::string::npos && isFileSuffix(label.substr(dot + 1))) {
+		label.erase(dot);
+	}
+	std::replace(label.begin(), label.end(), '.', '_');
+	return label;
+}
+
 std::string blockLabel(Operation operation, const LayerNames& layers) {
 	const BlockDefinition& block = kBlockDefinitions[static_cast<std::size_t>(operation)];
 	const OperandId left = block.swapped ? kSecond : kFirst;
 	return joinedLabel(layers[left], block.infix, layers[otherOf(left)]);
-}
-
-std::string splitLabel(PieceKind kind, const LayerNames& layers) {
-	switch (kind) {
-	case PieceKind::SubSurfacesOfFirst:
-		return joinedLabel(layers[kFirst], "cut by", layers[kSecond]);
-	case PieceKind::SubSurfacesOfSecond:
-		return joinedLabel(layers[kSecond], "cut by", layers[kFirst]);
-	case PieceKind::SubBlocks:
-		break;
-	}
-	return joinedLabel(layers[kFirst], "blocks", layers[kSecond]);
 }
 
 std::string curvesLabel(const LayerNames& layers) {
@@ -475,6 +502,6 @@ std::string statementLabel(const Statement& statement) {
 	return shortened(label, kLongestLabel);
 }
 
-std::string resolvedLabel(const LayerName& layer) { return nameInLabel(layer.label) + " resolved"; }
+std::string resolvedLabel(const LayerName& layer) { return nameInLabel(layer) + " resolved"; }
 
 }  // namespace index_boolean

@@ -75,24 +75,13 @@ constexpr std::array<BlockDefinition, kOperationCount> kBlockDefinitions{{
     {Operation::SymmetricDifference, false, "xor"},
 }};
 
-// The label of a block's layer: "A union B", "B minus A". In this and the others, the layers'
-// labels are without suffixes and dots, which MeshLab would take for the new layer's suffix.
+// A layer's label as a part of a new one: without the suffix of its file, and without dots. MeshLab
+// takes what follows a dot for a suffix: "a.ply union b.ply" it would save as a.ply, over the
+// operand, and a second layer of that label it would call "a(1).ply".
+std::string nameInLabel(const LayerName& layer);
+
+// The label of a block's layer: "A union B", "B minus A".
 std::string blockLabel(Operation operation, const LayerNames& layers);
-
-// The pieces that a split can give, in the order of the new layers.
-enum class PieceKind : std::uint8_t { SubSurfacesOfFirst, SubSurfacesOfSecond, SubBlocks };
-constexpr int kPieceKindCount = 3;
-
-constexpr PieceKind subSurfacesOf(OperandId operand) {
-	return operand == kFirst ? PieceKind::SubSurfacesOfFirst : PieceKind::SubSurfacesOfSecond;
-}
-
-// Their parameters and result keys.
-constexpr std::array<const char*, kPieceKindCount> kPieceNames{
-    {"sub_surfaces_first", "sub_surfaces_second", "sub_blocks"}};
-
-// The label of a layer of pieces: "A cut by B", "B cut by A", "A blocks B".
-std::string splitLabel(PieceKind kind, const LayerNames& layers);
 
 // The label of the polylines' layer: "A curves B"; of other than two layers, how many they are.
 std::string curvesLabel(const LayerNames& layers);

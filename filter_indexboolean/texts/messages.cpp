@@ -308,12 +308,43 @@ std::string curvesMessage(const CurveLines& curves, const LoopCounts& counts,
 	       decimal(length) + ".";
 }
 
-std::string noPiecesRequestedMessage() {
-	return noneRequested("piece", {kPieceNames.begin(), kPieceNames.end()});
+std::string noPiecesRequestedMessage(bool isList) {
+	std::vector<std::string> names;
+	if (isList) {
+		names.emplace_back("sub_surfaces");
+	} else {
+		names = {"sub_surfaces_first", "sub_surfaces_second"};
+	}
+	names.emplace_back("sub_blocks");
+	for (const ClipDefinition& clip : kClipDefinitions) {
+		names.emplace_back(clip.name);
+	}
+	return noneRequested("piece", names);
+}
+
+std::string clipOutOfListMessage(const ParameterDefinition& clip, const LayerName& layer) {
+	return std::string(clip.name) + " is of first_mesh and second_mesh, and layer " +
+	       quoted(layer) + " is not one of those that layers names. Add it there, or choose " +
+	       "first_mesh and second_mesh among them, or leave layers empty.";
+}
+
+std::string openSolidMessage(const Status& status, const LayerNames& layers) {
+	return "Layer " + quoted(layers[operandOf(status)]) + " " + describe(status) +
+	       ". The faces at these edges are selected. What clips another layer must be closed, "
+	       "since only then it has an inside: close it with \"Close Holes\" (meshing_close_holes). "
+	       "The layer that is clipped may be open, and without a clip both may.";
+}
+
+std::string operandNumbersMessage(const LayerNames& layers) {
+	std::vector<std::string> names;
+	for (const OperandId operand : layers.operands()) {
+		names.push_back(std::to_string(operand.value) + " is " + quoted(layers[operand]));
+	}
+	return "Numbers of the layers: " + listed(names, " and ") + ".";
 }
 
 std::string subSurfacesMessage(const SplitResult& result, OperandId operand,
-                               const LayerNames& layers) {
+                               const SplitNames& names) {
 	std::size_t shared = 0, oneSided = 0, separating = 0;
 	double area = 0;
 	for (const SubSurfaceId id : result.split.surfaces.ofOperand[operand]) {
@@ -324,7 +355,7 @@ std::string subSurfacesMessage(const SplitResult& result, OperandId operand,
 		area += surface.area;
 	}
 	const std::size_t count = result.surfaceCount(operand);
-	return "\"" + splitLabel(subSurfacesOf(operand), layers) +
+	return "\"" + names.labelOf(Pieces::subSurfacesOf(operand)) +
 	       "\": " + counted(count, "sub-surface") + " (" + std::to_string(count - shared) +
 	       " private, " + std::to_string(shared) + " public; " + std::to_string(separating) +
 	       " separating" +
@@ -332,8 +363,8 @@ std::string subSurfacesMessage(const SplitResult& result, OperandId operand,
 	       "), area " + decimal(area) + ".";
 }
 
-std::string subBlocksMessage(const SplitResult& result, const LayerNames& layers) {
-	const std::string label = "\"" + splitLabel(PieceKind::SubBlocks, layers) + "\"";
+std::string subBlocksMessage(const SplitResult& result, const SplitNames& names) {
+	const std::string label = "\"" + names.labelOf(Pieces::subBlocks()) + "\"";
 	if (result.split.blocks.all.empty()) {
 		return label + " is empty: the layers bound no part of space.";
 	}
@@ -343,6 +374,17 @@ std::string subBlocksMessage(const SplitResult& result, const LayerNames& layers
 	}
 	return label + ": " + counted(result.split.blocks.all.size(), "sub-block") + ", volume " +
 	       decimal(volume) + ".";
+}
+
+std::string clipMessage(const Clip& clip, const SplitMesh& mesh, const BlockMeasure& measure,
+                        const SplitNames& names) {
+	const std::string label = "\"" + names.labelOf(Pieces::of(clip)) + "\"";
+	if (mesh.triangles.empty()) {
+		return label + " is empty: nothing of " + quoted(names.layers[clip.surface]) + " lies " +
+		       (clip.isInside ? "inside " : "outside ") + quoted(names.layers[clip.solid]) + ".";
+	}
+	return label + ": " + counted(mesh.triangles.size(), "face") + ", " +
+	       counted(measure.components, "component") + ", area " + decimal(measure.area) + ".";
 }
 
 std::string tooManyLayersMessage(std::size_t pieces, std::size_t maxLayers) {

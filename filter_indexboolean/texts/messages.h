@@ -8,6 +8,7 @@
 #include "runs/split_run.h"
 #include "texts/filter_definitions.h"
 #include "texts/layer_names.h"
+#include "texts/split_names.h"
 
 #include <vcg_ext/index_boolean.h>
 
@@ -79,12 +80,26 @@ std::string uncertifiedMessage(const std::string& label, std::size_t faces, Outp
 std::string curvesMessage(const CurveLines& curves, const LoopCounts& counts,
                           const LayerNames& layers);
 
-std::string noPiecesRequestedMessage();
+// Of the split of a list, or of two layers.
+std::string noPiecesRequestedMessage(bool isList);
+
+// A clip is asked for, and a layer that takes part in it is not in the list of layers.
+std::string clipOutOfListMessage(const ParameterDefinition& clip, const LayerName& layer);
+
+// Why the run was refused: an operand is not closed, but is to clip another one.
+std::string openSolidMessage(const Status& status, const LayerNames& layers);
+
+// Which number each operand of a list has.
+std::string operandNumbersMessage(const LayerNames& layers);
 
 // How many pieces there are and of which kinds.
 std::string subSurfacesMessage(const SplitResult& result, OperandId operand,
-                               const LayerNames& layers);
-std::string subBlocksMessage(const SplitResult& result, const LayerNames& layers);
+                               const SplitNames& names);
+std::string subBlocksMessage(const SplitResult& result, const SplitNames& names);
+
+// What a clip is like.
+std::string clipMessage(const Clip& clip, const SplitMesh& mesh, const BlockMeasure& measure,
+                        const SplitNames& names);
 
 // Why the pieces have not got a layer each.
 std::string tooManyLayersMessage(std::size_t pieces, std::size_t maxLayers);

@@ -26,7 +26,13 @@ from .job import Job, JobError, LayersJob
 from .plugin import HostError
 from .printed_table import new_table
 from .resolve_job import run_resolve_job
-from .split_job import PIECES, run_split_job
+from .split_job import (
+    CLIPS, PIECES, PIECES_OF_LIST, SUB_SURFACES, SUB_SURFACES_OF_LIST, ListJob, kinds_of,
+    run_split_job,
+)
+
+
+_CLIP_WORDS = {"-".join(clip.split("_")[:2]): clip for clip in CLIPS}  # "first-inside", ...
 
 
 def main(arguments=None):
@@ -59,11 +65,13 @@ _ALL_COMMANDS = (
 )
 
 
-def _add_pair_command(commands, name, run, text, description):
+def _add_pair_command(commands, name, run, text, description, nargs=None):
     """A command on two mesh files, with the options that all commands have."""
     command = _add_command(commands, name, run, text, f"{description} {_ALL_COMMANDS}")
-    command.add_argument("first", type=pathlib.Path, metavar="A", help="a mesh file")
-    command.add_argument("second", type=pathlib.Path, metavar="B", help="another mesh file")
+    command.add_argument("first", type=pathlib.Path, metavar="A", help="a mesh file", nargs=nargs)
+    command.add_argument(
+        "second", type=pathlib.Path, metavar="B", help="another mesh file", nargs=nargs
+    )
     return command
 
 
@@ -145,16 +153,30 @@ def _add_block_options(command):
 def _add_split(commands):
     command = _add_pair_command(
         commands, "split", _run_split,
-        "every piece that two meshes, open or closed, cut each other into",
-        "Intersects two meshes, open or closed, and writes the sub-surfaces of each and the closed "
-        "sub-blocks that they bound, as PLY files whose faces have colours and the numbers "
-        "source_mesh, source_face, sub_surface, block_front, block_back and sub_block; and "
-        "result.json with areas and volumes.",
+        "every piece that meshes, open or closed, cut each other into",
+        "Intersects two meshes or, with --layers, any number of them, open or closed, and writes "
+        "the sub-surfaces of each and the closed sub-blocks that they bound, as PLY files whose "
+        "faces have colours and the numbers source_mesh, source_face, sub_surface, block_front, "
+        "block_back and sub_block; and result.json with areas and volumes.",
+        nargs="?",
     )
     command.add_argument(
-        "--only", type=_piece_names, default=PIECES, metavar="PIECES,...",
-        help=f"of {', '.join(PIECES)} (default: all)",
+        "--layers", type=pathlib.Path, nargs="+", default=(), metavar="FILE",
+        help="more mesh files, all of which cut each other, A and B too if they are given; pieces "
+        "then have the numbers of the files, from 0, in place of first and second",
     )
+    command.add_argument(
+        "--only", type=_piece_names, metavar="PIECES,...",
+        help=f"of {', '.join(PIECES)}, with --layers of {', '.join(PIECES_OF_LIST)}; or none "
+        "(default: all)",
+    )
+    command.add_argument(
+        "--clip", type=_clip_names, default=(), metavar="CLIP,...",
+        help="what of one of the first two meshes, open or closed, lies inside the other, closed "
+        f"one, or outside: of {', '.join(_CLIP_WORDS)}; writes DIR/first_inside_second.ply and so "
+        "on",
+    )
+    command.set_defaults(refuse=command.error)
     _add_filter_option(
         command, "separate_layers", "--separate", action="store_true",
         help="a file for each piece, if there are at most --max-files",
@@ -283,7 +305,13 @@ def _block_names(text):
 
 
 def _piece_names(text):
-    return _names(text, "kind of pieces", PIECES)
+    return () if text == "none" else _names(
+        text, "kind of pieces", (*PIECES, SUB_SURFACES_OF_LIST)
+    )
+
+
+def _clip_names(text):
+    return [_CLIP_WORDS[word] for word in _names(text, "clip", tuple(_CLIP_WORDS))]
 
 
 def _names(text, what, known):
@@ -302,10 +330,41 @@ def _run_boolean(options):
 
 
 def _run_split(options):
-    def run(job, **parameters):
-        return run_split_job(job, options.only, **parameters)
+    pieces = _split_pieces(options)
 
-    return _run_job(options, run, _print_pieces)
+    def run(job, **parameters):
+        return run_split_job(job, pieces, options.clip, **parameters)
+
+    def new_job(on_progress):
+        files = [options.first, options.second, *options.layers]
+        return ListJob([file for file in files if file], options.folder, on_progress)
+
+    return _run_job(
+        options, run, lambda result: _print_pieces(result, options.clip),
+        new_job if options.layers else None,
+    )
+
+
+def _split_pieces(options):
+    """The kinds of pieces that are asked for. Ends the program if the options do not fit."""
+    given = [path for path in (options.first, options.second) if path is not None]
+    known = PIECES_OF_LIST if options.layers else (*PIECES, SUB_SURFACES_OF_LIST)
+    pieces = known if options.only is None else options.only
+    problem = None
+    if not options.layers and len(given) < 2:
+        problem = "two mesh files are needed, or --layers"
+    if options.clip and len({*given, *options.layers}) < 2:
+        problem = "--clip needs two mesh files"
+    for piece in pieces:
+        if piece not in known:
+            problem = f"--only {piece} does not go with --layers: take {', '.join(known)}"
+    if not pieces and not options.clip:
+        problem = "--only none needs --clip"
+    if problem:
+        options.refuse(problem)
+    if not options.layers and SUB_SURFACES_OF_LIST in pieces:
+        pieces = (*pieces, *SUB_SURFACES)
+    return pieces
 
 
 def _run_curves(options):
@@ -410,12 +469,14 @@ def _print_results(result, names):
     _print_table(table, result, f"; volume law residual {residual:.1g}")
 
 
-def _print_pieces(result):
+def _print_pieces(result, clips):
     table = new_table("pieces", "number", "area", "volume")
-    for kind in PIECES:
+    for kind in kinds_of(result, also_without_layers=True):
         volume = f"{result[f'{kind}_volumes'].sum():.9g}" if kind == "sub_blocks" else ""
         area = f"{result[f'{kind}_areas'].sum():.9g}"
         table.add_row(kind, str(result[kind]), area, volume)
+    for clip in clips:
+        table.add_row(clip, "", f"{result[f'{clip}_area']:.9g}", "")
     _print_table(table, result)
 
 

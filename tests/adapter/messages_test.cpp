@@ -114,9 +114,11 @@ TEST(Messages, namesAreListed) {
 	EXPECT_TRUE(
 	    contains(lackingAttributesMessage(kLayers[kFirst], {"radii", "colours", "qualities"}),
 	             "has no radii, colours and qualities: "));
-	EXPECT_EQ(noPiecesRequestedMessage(),
+	EXPECT_EQ(noPiecesRequestedMessage(false),
 	          "No piece is asked for. Set at least one of these to true: sub_surfaces_first, "
-	          "sub_surfaces_second, sub_blocks.");
+	          "sub_surfaces_second, sub_blocks, first_inside_second, first_outside_second, "
+	          "second_inside_first, second_outside_first.");
+	EXPECT_TRUE(contains(noPiecesRequestedMessage(true), "true: sub_surfaces, sub_blocks, first_"));
 	EXPECT_TRUE(contains(nothingRequestedMessage(), "true: union, intersection, "));
 }
 
@@ -152,7 +154,9 @@ TEST(Messages, curvesAreCountedByKind) {
 
 TEST(Messages, aSplitTellsPiecesAndWhatTheyPart) {
 	SplitResult result;
-	EXPECT_TRUE(contains(subBlocksMessage(result, kLayers), "bound no part of space"));
+	SplitNames names;
+	names.layers = kLayers;
+	EXPECT_TRUE(contains(subBlocksMessage(result, names), "bound no part of space"));
 	SubSurface surface{};
 	surface.area = 2;
 	surface.closedCycles = 1;
@@ -163,21 +167,80 @@ TEST(Messages, aSplitTellsPiecesAndWhatTheyPart) {
 	result.split.surfaces.all.push_back(surface);
 	result.split.surfaces.ofOperand[kSecond] = {SubSurfaceId{0}, SubSurfaceId{1}};
 	result.split.blocks.separates = {0, 1};
-	EXPECT_EQ(subSurfacesMessage(result, kSecond, kLayers),
+	EXPECT_EQ(subSurfacesMessage(result, kSecond, names),
 	          "\"50% cube cut by bunny\": 2 sub-surfaces (1 private, 1 public; 1 separating, 1 "
 	          "one-sided), area 4.");
 	EXPECT_TRUE(contains(tooManyLayersMessage(70, 64), "70 pieces, more than max_layers (64)"));
-	EXPECT_TRUE(contains(noPiecesRequestedMessage(), "sub_surfaces_first"));
+}
+
+TEST(Messages, aClipTellsItsFacesOrThatItIsEmpty) {
+	SplitNames names;
+	names.layers = kLayers;
+	const Clip clip{kSecond, kFirst, false};
+	SplitMesh mesh;
+	EXPECT_EQ(clipMessage(clip, mesh, {}, names),
+	          "\"50% cube outside bunny\" is empty: nothing of \"50% cube\" (id 7) lies outside "
+	          "\"bunny.ply\" (id 3).");
+	mesh.triangles.resize(2);
+	BlockMeasure measure;
+	measure.components = 1;
+	measure.area = 1.5;
+	EXPECT_EQ(clipMessage(clip, mesh, measure, names),
+	          "\"50% cube outside bunny\": 2 faces, 1 component, area 1.5.");
+}
+
+TEST(Messages, anOpenLayerThatIsToClipIsToldHowToBeClosed) {
+	Status status = statusOf(StatusCode::NotClosed);
+	status.operand = 1;
+	status.count = 3;
+	const std::string message = openSolidMessage(status, kLayers);
+	EXPECT_TRUE(contains(message, "Layer \"50% cube\" (id 7) is not closed: 3 edges")) << message;
+	EXPECT_TRUE(contains(message, "meshing_close_holes"));
+	EXPECT_FALSE(contains(message, "generate_index_boolean_split"));
+}
+
+TEST(Messages, theNumbersOfAListAreTold) {
+	EXPECT_EQ(operandNumbersMessage(kLayers),
+	          "Numbers of the layers: 0 is \"bunny.ply\" (id 3) and 1 is \"50% cube\" (id 7).");
 }
 
 TEST(FilterDefinitions, piecesAreParametersOfTheSplit) {
-	for (const char* name : kPieceNames) {
-		EXPECT_STREQ(parameterDefinition(FilterId::GenerateIndexBooleanSplit, name).name, name);
+	SplitNames names;
+	names.layers = named("A.ply", "B");
+	std::vector<std::string> keys;
+	for (const OperandId operand : {kFirst, kSecond}) {
+		keys.push_back(names.keyOf(Pieces::subSurfacesOf(operand)));
 	}
-	EXPECT_EQ(splitLabel(PieceKind::SubSurfacesOfFirst, named("A.ply", "B")), "A cut by B");
-	EXPECT_EQ(splitLabel(PieceKind::SubSurfacesOfSecond, named("A", "B")), "B cut by A");
-	EXPECT_EQ(splitLabel(PieceKind::SubBlocks, named("A", "B")), "A blocks B");
+	keys.push_back(names.keyOf(Pieces::subBlocks()));
+	for (const Clip& clip : {Clip{kFirst, kSecond, true}, Clip{kFirst, kSecond, false},
+	                         Clip{kSecond, kFirst, true}, Clip{kSecond, kFirst, false}}) {
+		keys.push_back(names.keyOf(Pieces::of(clip)));
+		EXPECT_EQ(keys.back(), kClipDefinitions[keys.size() - 4].name);
+	}
+	for (const std::string& key : keys) {
+		EXPECT_EQ(parameterDefinition(FilterId::GenerateIndexBooleanSplit, key).name, key);
+	}
+	EXPECT_EQ(names.labelOf(Pieces::subSurfacesOf(kFirst)), "A cut by B");
+	EXPECT_EQ(names.labelOf(Pieces::subSurfacesOf(kSecond)), "B cut by A");
+	EXPECT_EQ(names.labelOf(Pieces::subBlocks()), "A blocks B");
+	EXPECT_EQ(names.labelOf(Pieces::of({kSecond, kFirst, true})), "B inside A");
 	EXPECT_EQ(curvesLabel(named("A", "B")), "A curves B");
+}
+
+TEST(FilterDefinitions, piecesOfAListHaveTheOperandsNumbers) {
+	SplitNames names;
+	names.layers = LayerNames{{"A", 7}, {"B.ply", 8}, {"C", 9}};
+	names.isList = true;
+	names.first = {2};
+	names.second = {0};
+	EXPECT_EQ(names.keyOf(Pieces::subSurfacesOf({2})), "sub_surfaces_2");
+	EXPECT_EQ(names.labelOf(Pieces::subSurfacesOf({1})), "B cut by 2 others");
+	EXPECT_EQ(names.labelOf(Pieces::subBlocks()), "blocks of A and 2 others");
+	EXPECT_EQ(names.keyOf(Pieces::of({{2}, {0}, false})), "first_outside_second");
+	EXPECT_EQ(names.labelOf(Pieces::of({{0}, {2}, true})), "A inside C");
+	names.layers = LayerNames{{"A", 7}};
+	EXPECT_EQ(names.labelOf(Pieces::subSurfacesOf({0})), "A cut by itself");
+	EXPECT_EQ(names.labelOf(Pieces::subBlocks()), "A blocks");
 }
 
 TEST(SplitLayers, neighbouringIdsHaveColoursThatDiffer) {

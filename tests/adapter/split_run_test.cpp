@@ -64,6 +64,92 @@ TEST(SplitRun, withoutBlocksTheVolumesAreAuditedAlone) {
 	EXPECT_LT(result.audit.volumeLawResidual, 1e-15);
 }
 
+// Three boxes in general position, and two sheets through them.
+MeshArrays boxesAndSheets() {
+	MeshArrays arrays;
+	arrays.vertexOffsets = arrays.faceOffsets = OperandOffsets(5);
+	appendBox({0, 0, 0}, {2, 2, 2}, {0}, arrays);
+	appendBox({1, 1.125, 1.25}, {2.5, 2.625, 2.75}, {1}, arrays);
+	appendBox({-0.5, 0.75, 0.875}, {1.5, 1.75, 3}, {2}, arrays);
+	for (const double height : {0.5, 1.375}) {
+		const auto first = static_cast<std::uint32_t>(arrays.points.size());
+		const OperandId operand{height < 1 ? 3U : 4U};
+		arrays.points.push_back({-3, -3, height});
+		arrays.points.push_back({9, -3, height});
+		arrays.points.push_back({-3, 9, height + 0.125});
+		arrays.triangles.push_back({VertexId{first}, VertexId{first + 1}, VertexId{first + 2}});
+		arrays.vertexOffsets.setEnd(operand, arrays.points.size());
+		arrays.faceOffsets.setEnd(operand, arrays.triangles.size());
+	}
+	return arrays;
+}
+
+SplitRequest requestOfAll() {
+	SplitRequest request;
+	request.subSurfaces = PerOperand<bool>(5);
+	std::fill(request.subSurfaces.begin(), request.subSurfaces.end(), true);
+	request.clips = {{{3}, {0}, true}, {{4}, {1}, false}};
+	return request;
+}
+
+Status splitManyWith(int cancelAt, SplitResult& result) {
+	Progress progress = watch(cancelAt);
+	return runSplit(boxesAndSheets(), again(boxesAndSheets), requestOfAll(), progress, result);
+}
+
+TEST(SplitRun, anyNumberOfOperandsAndClips) {
+	SplitResult result;
+	ASSERT_TRUE(splitManyWith(0, result).ok());
+	expectGoodManners();
+	expectTimed(result.report);
+	EXPECT_TRUE(result.audit.closed);
+	EXPECT_LT(result.audit.volumeLawResidual, 1e-15);
+	EXPECT_EQ(result.surfaceMeshes.size(), 5u);
+	for (const SplitMesh& mesh : result.surfaceMeshes) {
+		EXPECT_FALSE(mesh.triangles.empty());
+	}
+	ASSERT_EQ(result.clipMeasures.size(), 2u);
+	EXPECT_NEAR(result.clipMeasures[0].area, 4 * std::hypot(1, 0.125 / 12), 1e-14);
+	const double outside = 72 - 1.5 * 1.5;
+	EXPECT_NEAR(result.clipMeasures[1].area, outside * std::hypot(1, 0.125 / 12), 1e-12);
+}
+
+TEST(SplitRun, manyOperandsAreCancelledAtEveryCall) {
+	expectCancelledAtEveryCall([](int call) {
+		SplitResult result;
+		return splitManyWith(call, result);
+	});
+}
+
+// The second box without a face, which clips the first.
+MeshArrays boxAndOpenBox() {
+	MeshArrays boxes = overlappingBoxes();
+	boxes.triangles.pop_back();
+	boxes.faceOffsets.setEnd(kSecond, boxes.triangles.size());
+	return boxes;
+}
+
+TEST(SplitRun, anOpenSolidIsRefusedOnceItHasBeenCutAndCancelledBefore) {
+	const auto run = [](int call) {
+		SplitResult result;
+		Progress progress = watch(call);
+		SplitRequest request;
+		request.clips = {{kFirst, kSecond, true}};
+		return runSplit(boxAndOpenBox(), again(boxAndOpenBox), request, progress, result);
+	};
+	const Status status = run(0);
+	EXPECT_EQ(status.code, StatusCode::NotClosed);
+	EXPECT_EQ(status.operand, 1);
+	expectGoodManners();
+	const int calls = seen.calls;
+	for (int call = 1; call < calls; ++call) {
+		const StatusCode code = run(call).code;
+		if (seen.calls >= call) {
+			EXPECT_EQ(code, StatusCode::Cancelled) << "call " << call << " of " << calls;
+		}
+	}
+}
+
 TEST(CurvesRun, theHostSeesPercentsThatNeverFallOnItsOwnThread) {
 	CurvesResult result;
 	ASSERT_TRUE(curvesWith(0, result).ok());

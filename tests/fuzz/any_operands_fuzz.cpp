@@ -32,6 +32,27 @@ std::string blockDefect(const Arrangement& arrangement, const CellPredicate& isI
 	return status.ok() ? brokenPromise(block) : describe(status);
 }
 
+// Whether the first two operands, where they are solids, clip each other.
+Status clipEachOther(const Arrangement& arrangement, const Split& parts, Monitor& monitor) {
+	Status status;
+	for (const bool isFirst : {true, false}) {
+		const OperandId surface = isFirst ? kFirst : kSecond, solid = otherOf(surface);
+		if (!refuseSolid(arrangement, parts.blocks, solid).ok()) {
+			continue;
+		}
+		for (const bool isInside : {true, false}) {
+			const Clip clip{surface, solid, isInside};
+			SplitMesh mesh;
+			BlockMeasure measure;
+			status =
+			    inOrder([&] { return status; },
+			            [&] { return extractClip(arrangement, parts, clip, monitor, mesh); },
+			            [&] { return audit(arrangement, parts, clip, mesh, monitor, measure); });
+		}
+	}
+	return status;
+}
+
 // Whether the parts of the same soup are found and audited.
 std::string splitDefect(const std::vector<SurfaceView>& views, const Options& options) {
 	Monitor monitor;
@@ -40,12 +61,13 @@ std::string splitDefect(const std::vector<SurfaceView>& views, const Options& op
 	Arrangement arrangement;
 	Split parts;
 	SplitAudit audited;
-	const Status status = inOrder([&] { return again(arrays); },
-	                              [&] {
-		                              return splitOperands(std::move(arrays), again, options,
-		                                                   monitor, arrangement, parts);
-	                              },
-	                              [&] { return audit(arrangement, parts, {}, monitor, audited); });
+	const Status status = inOrder(
+	    [&] { return again(arrays); },
+	    [&] {
+		    return splitOperands(std::move(arrays), again, options, monitor, arrangement, parts);
+	    },
+	    [&] { return audit(arrangement, parts, {}, monitor, audited); },
+	    [&] { return views.size() < 2 ? Status{} : clipEachOther(arrangement, parts, monitor); });
 	return status.ok() || status.code == StatusCode::SelfIntersecting ? "" : describe(status);
 }
 
@@ -86,8 +108,6 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t siz
 	fuzz::expectNone(blockDefect(arrangement, [](const PerOperand<std::int32_t>& w) {
 		return std::any_of(w.begin(), w.end(), [](std::int32_t n) { return n < 0 || n > 1; });
 	}));
-	if (operands.size() == 2) {
-		fuzz::expectNone(splitDefect(views, options));
-	}
+	fuzz::expectNone(splitDefect(views, options));
 	return 0;
 }

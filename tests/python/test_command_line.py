@@ -316,3 +316,118 @@ def test_otherCommandsHaveTheSameExitStatuses(command_name, tmp_path):
 def test_splitRefusesUnknownPieces():
     done = run("split", FIRST, SECOND, "-o", "out", "--only", "pieces")
     assert done.returncode == 2 and "no kind of pieces 'pieces'" in done.stderr
+
+
+def block_and_sheets(folder):
+    """Files of a box and of two sheets through it."""
+    meshes = pymeshlab.MeshSet()
+    paths = []
+    for name, mesh in (
+        ("block", box((-1, -1, -1), (1, 1, 1))),
+        ("level", bumpy_sheet((0.1, 0.2, 1), 0.05, 3, 20)),
+        ("upright", bumpy_sheet((1, 0.2, 0.1), 0.15, 3, 20)),
+    ):
+        meshes.add_mesh(pymeshlab.Mesh(*mesh), name)
+        paths.append(folder / f"{name}.ply")
+        meshes.save_current_mesh(str(paths[-1]))
+    return paths
+
+
+def test_splitTakesAnyNumberOfFiles(tmp_path):
+    block, level, upright = block_and_sheets(tmp_path)
+    written = []
+    for number, arguments in enumerate((
+        ("--layers", block, level, upright),
+        (block, level, "--layers", upright),
+        (block, level, "--layers", block, level, upright),  # each is taken once
+    )):
+        folder = tmp_path / str(number)
+        done = run("split", "-o", folder, *arguments)
+        assert done.returncode == 0, done.stderr
+        kinds = [*(f"sub_surfaces_{k}" for k in range(3)), "sub_blocks"]
+        assert files_of(folder) == sorted([*(f"{kind}.ply" for kind in kinds), "result.json"])
+        result = json.loads((folder / "result.json").read_text())
+        expected = {"0": str(block), "1": str(level), "2": str(upright)}
+        assert result["operand_files"] == expected
+        assert result["files"] == {kind: f"{kind}.ply" for kind in kinds}
+        assert (result["operands"], result["sub_blocks"]) == (3, 4)
+        assert sum(result["sub_blocks_volumes"]) == pytest.approx(8, rel=1e-12)
+        assert "sub_surfaces_2" in done.stdout
+        written.append([(folder / f"{kind}.ply").read_bytes() for kind in kinds])
+        faces = ply_faces(folder / "sub_surfaces_2.ply")[1]
+        assert set(faces["source_mesh"]) == {2}
+    assert written[0] == written[1] == written[2]
+    done = run("split", "-o", tmp_path / "few", "--layers", block, level, upright,
+               "--only", "sub_blocks", "--separate")
+    assert done.returncode == 0, done.stderr
+    assert files_of(tmp_path / "few") == [
+        "result.json", *(f"sub_blocks_{k}.ply" for k in range(4))
+    ]
+
+
+def test_splitOfOneFileCutsItByItself(tmp_path):
+    meshes = pymeshlab.MeshSet()
+    meshes.add_mesh(pymeshlab.Mesh(*crossing_bars()))
+    meshes.save_current_mesh(str(tmp_path / "bars.ply"))
+    done = run("split", "-o", tmp_path / "out", "--layers", tmp_path / "bars.ply")
+    assert done.returncode == 0, done.stderr
+    assert files_of(tmp_path / "out") == ["result.json", "sub_blocks.ply", "sub_surfaces_0.ply"]
+
+
+def test_splitClips(tmp_path):
+    block, level, upright = block_and_sheets(tmp_path)
+    done = run("split", level, block, "-o", tmp_path / "all",
+               "--clip", "first-inside,first-outside")
+    assert done.returncode == 0, done.stderr
+    clips = ["first_inside_second", "first_outside_second"]
+    kinds = ["sub_blocks", "sub_surfaces_first", "sub_surfaces_second"]
+    assert files_of(tmp_path / "all") == sorted(
+        [*(f"{name}.ply" for name in (*clips, *kinds)), "result.json"]
+    )
+    result = json.loads((tmp_path / "all" / "result.json").read_text())
+    areas = sorted(result[f"{clip}_area"] for clip in clips)
+    assert areas == pytest.approx(sorted(result["sub_surfaces_first_areas"]), rel=1e-12)
+    for clip in clips:
+        vertices, faces = ply_faces(tmp_path / "all" / f"{clip}.ply")
+        assert len(faces) == result[f"{clip}_faces"]
+        assert set(faces["source_mesh"]) == {0}
+        assert clip in done.stdout
+    inside = ply_faces(tmp_path / "all" / "first_inside_second.ply")[0]
+    assert abs(inside).max() <= 1
+    done = run("split", block, level, "-o", tmp_path / "one", "--clip", "second-inside",
+               "--only", "none")
+    assert done.returncode == 0, done.stderr
+    assert files_of(tmp_path / "one") == ["result.json", "second_inside_first.ply"]
+    again = ply_faces(tmp_path / "one" / "second_inside_first.ply")[0]
+    assert numpy.array_equal(numpy.unique(again, axis=0), numpy.unique(inside, axis=0))
+    done = run("split", level, block, "-o", tmp_path / "list", "--layers", upright, "--clip",
+               "first-inside", "--only", "none")
+    assert done.returncode == 0, done.stderr
+    third = json.loads((tmp_path / "list" / "result.json").read_text())
+    area = result["first_inside_second_area"]
+    assert third["first_inside_second_area"] == pytest.approx(area, rel=1e-12)
+
+
+def test_anOpenFileThatIsToClipIsRefused(tmp_path):
+    block, level, _ = block_and_sheets(tmp_path)
+    done = run("split", block, level, "-o", tmp_path / "out", "--clip", "first-inside")
+    assert done.returncode == 1
+    assert 'Layer "level.ply" (id 1) is not closed' in done.stderr
+    assert "meshing_close_holes" in done.stderr
+
+
+@pytest.mark.parametrize(
+    "arguments, sentence",
+    [
+        ((FIRST,), "two mesh files are needed, or --layers"),
+        ((), "two mesh files are needed, or --layers"),
+        ((FIRST, SECOND, "--clip", "inside"), "no clip 'inside'; there are first-inside"),
+        (("--layers", FIRST, "--clip", "first-inside"), "--clip needs two mesh files"),
+        ((FIRST, SECOND, "--only", "none"), "--only none needs --clip"),
+        (("--only", "sub_surfaces_first", "--layers", FIRST, SECOND), "does not go with --layers"),
+    ],
+)
+def test_splitRefusesWhatMakesNoSplit(arguments, sentence):
+    done = run("split", "-o", "out", *arguments)
+    assert done.returncode == 2
+    assert sentence in done.stderr

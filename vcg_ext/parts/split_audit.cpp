@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Rounding moves each point by at most a step; a face then sweeps at most the step times the square
-// of the largest distance. Volumes beyond the range of double tell nothing: closedness alone
-// counts.
+// of the largest distance, and its area changes by at most the step times that. Volumes beyond the
+// range of double tell nothing: closedness alone counts.
 #include "vcg_ext/parts/split_audit.h"
 
 #include "vcg_ext/base/parallel.h"
@@ -19,7 +19,8 @@ namespace {
 
 class Rounding {
 public:
-	Rounding(const BoundingBox& box, OutputScalar scalar) {
+	// \param move how far a point may be from its rounded place
+	Rounding(const BoundingBox& box, OutputScalar scalar, double move) {
 		double reach = 0;
 		for (std::size_t axis = 0; axis < 3; ++axis) {
 			reach = std::max({reach, -box.lo[axis], box.hi[axis]});
@@ -28,18 +29,27 @@ public:
 		const double ulp = scalar == OutputScalar::Float
 		                       ? static_cast<double>(std::numeric_limits<float>::epsilon())
 		                       : std::numeric_limits<double>::epsilon();
-		step_ = ulp * reach;
+		step_ = ulp * reach + move;
 	}
 
 	// Whether rounding can make up a difference between volumes below this many faces.
 	bool explains(double difference, std::size_t faces) const {
-		constexpr double kRoundings = 16;  // of a face: its corners and its terms of the sum
-		const double length = diagonal_ + step_;
-		const double most = kRoundings * static_cast<double>(faces) * step_ * length * length;
-		return !(std::fabs(difference) > most + std::numeric_limits<double>::min());
+		return isBelow(difference, faces, length() * length());
+	}
+	// The same of areas.
+	bool explainsArea(double difference, std::size_t faces) const {
+		return isBelow(difference, faces, length());
 	}
 
 private:
+	double length() const { return diagonal_ + step_; }
+	// \param reach what a face changes by if a corner moves by 1
+	bool isBelow(double difference, std::size_t faces, double reach) const {
+		constexpr double kRoundings = 16;  // of a face: its corners and its terms of the sum
+		const double most = kRoundings * static_cast<double>(faces) * step_ * reach;
+		return !(std::fabs(difference) > most + std::numeric_limits<double>::min());
+	}
+
 	double diagonal_, step_;
 };
 
@@ -69,7 +79,8 @@ Status auditSubBlocks(const Arrangement& arrangement, const SubSurfaces& surface
 	const Options& options = arrangement.options;
 	BoundingBox box{};
 	Status status = findBoundingBox(points.data(), points.size(), options.threads, monitor, box);
-	const Rounding inside(box, OutputScalar::Double), delivered(box, options.outputScalar);
+	const Rounding inside(box, OutputScalar::Double, 0);
+	const Rounding delivered(box, options.outputScalar, arrangement.placeRepair.largestMove);
 	bool right = true;
 	double most = 0;
 	double total = 0;
@@ -93,6 +104,27 @@ Status auditSubBlocks(const Arrangement& arrangement, const SubSurfaces& surface
 		}
 	}
 	if (status.ok() && !(right && out.closed)) {
+		status.code = StatusCode::InternalError;
+	}
+	return status;
+}
+
+Status auditClip(const Arrangement& arrangement, const SubSurfaces& surfaces,
+                 const SubBlocks& blocks, const Clip& clip, const SplitMesh& mesh,
+                 BlockMeasure& measure) {
+	const Points& points = arrangement.mesh.points;
+	const Options& options = arrangement.options;
+	Monitor monitor;
+	BoundingBox box{};
+	Status status = findBoundingBox(points.data(), points.size(), options.threads, monitor, box);
+	double area = 0;
+	for (const SubSurfaceId s : surfaces.ofOperand[clip.surface]) {
+		area += isInClip(blocks, options.windingRule, clip, s) ? at(surfaces.all, s).area : 0;
+	}
+	measure = measureSurface(mesh.points, mesh.triangles, options.threads);
+	const std::size_t faces = mesh.triangles.size() + mesh.zeroAreaFacesRemoved;
+	const Rounding delivered(box, options.outputScalar, arrangement.placeRepair.largestMove);
+	if (status.ok() && !delivered.explainsArea(measure.area - area, faces)) {
 		status.code = StatusCode::InternalError;
 	}
 	return status;

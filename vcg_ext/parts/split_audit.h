@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // in: sub-blocks and their boundaries as delivered; out: whether these are closed and consistently
-// oriented, and whether volumes add up.
+// oriented, and whether volumes add up; and of a clip as delivered, whether its area does.
 // Guarantee: a boundary that is not closed is found but with a probability of 2^-64; a volume
-// counts as wrong only where no rounding of coordinates and sums can explain it.
+// or area counts as wrong only where no rounding of coordinates and sums can explain it.
 #pragma once
 
-#include "vcg_ext/parts/split_meshes.h"
+#include "vcg_ext/parts/clip.h"
 
 namespace index_boolean {
 
@@ -25,5 +25,12 @@ struct SplitAudit {
 Status auditSubBlocks(const Arrangement& arrangement, const SubSurfaces& surfaces,
                       const SubBlocks& blocks, const std::vector<SplitMesh>& boundaries,
                       Monitor& monitor, SplitAudit& out);
+
+// \param mesh that of the clip \param measure replaced: of the mesh
+// \return Ok; InternalError if the mesh does not have the area of the clip's sub-surfaces
+// Throws std::bad_alloc. Complexity: O(n) for all faces.
+Status auditClip(const Arrangement& arrangement, const SubSurfaces& surfaces,
+                 const SubBlocks& blocks, const Clip& clip, const SplitMesh& mesh,
+                 BlockMeasure& measure);
 
 }  // namespace index_boolean

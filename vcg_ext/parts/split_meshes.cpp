@@ -39,18 +39,20 @@ public:
 	// Makes room for faces to be chosen.
 	void expect(std::size_t faceCount) { chosen_.reserve(faceCount); }
 	void choose(const ChosenFace& face);
-	// Makes the mesh of the chosen faces. \param isBlock they bound one sub-block
-	Status run(bool isBlock);
+	// Makes the mesh of the chosen faces. \param isOneSurface else each sub-surface is one
+	Status run(bool isOneSurface);
 
 private:
-	void dropFolds(bool isBlock);
+	void dropFolds(bool isOneSurface);
+	Status cleanOneSurface();
+	Status nameSources();
 	void listVertices();
 	std::uint32_t numberOf(VertexId v) const;
 	Status placeVertices();
 	Status writeFaces();
 	Status clean();
 	std::vector<std::uint32_t> subSurfaceOfFaces() const;
-	Status certify(bool isBlock);
+	Status certify(bool isOneSurface);
 	Status markPolygons();
 	std::array<std::int32_t, 2> besideOf(const ChosenFace& face) const;
 	const Triangle& cornersOf(std::size_t chosen) const {
@@ -83,14 +85,14 @@ void SplitMeshCollector::choose(const ChosenFace& face) {
 
 // Of triangles stored on the same corners, those that are turned against each other are one sheet
 // folded onto itself: they go in pairs, from a sub-block, or from one sub-surface each.
-void SplitMeshCollector::dropFolds(bool isBlock) {
+void SplitMeshCollector::dropFolds(bool isOneSurface) {
 	using Part = std::pair<std::uint32_t, std::array<VertexId, 3>>;
 	std::map<Part, std::array<std::vector<std::size_t>, 2>> standing;  // each way round
 	std::vector<std::uint8_t> isGone(chosen_.size(), 0);
 	for (std::size_t i = 0; i < chosen_.size(); ++i) {
 		const FaceKey<VertexId> key = faceKeyOf(corners_[i]);
 		const bool isForward = key.ascending != chosen_[i].turned;
-		const std::uint32_t part = isBlock ? 0 : surfaces_.ofFace[chosen_[i].face].value;
+		const std::uint32_t part = isOneSurface ? 0 : surfaces_.ofFace[chosen_[i].face].value;
 		auto& ways = standing[{part, key.corners}];
 		auto& same = ways[isForward ? 1 : 0];
 		auto& opposite = ways[isForward ? 0 : 1];
@@ -193,10 +195,9 @@ std::vector<std::uint32_t> SplitMeshCollector::subSurfaceOfFaces() const {
 	return part;
 }
 
-// Of a sub-block as a whole; of sub-surfaces each.
-Status SplitMeshCollector::certify(bool isBlock) {
+Status SplitMeshCollector::certify(bool isOneSurface) {
 	const std::vector<std::uint32_t> part =
-	    isBlock ? std::vector<std::uint32_t>{} : subSurfaceOfFaces();
+	    isOneSurface ? std::vector<std::uint32_t>{} : subSurfaceOfFaces();
 	return index_boolean::certify(arrangement_, out_, part, out_.zeroAreaFacesRemoved == 0,
 	                              monitor_, out_.certificate);
 }
@@ -229,37 +230,50 @@ Status SplitMeshCollector::writeFaces() {
 	return parallelFor(n, kGrain, arrangement_.options.threads, monitor_, write);
 }
 
-Status SplitMeshCollector::run(bool isBlock) {
-	if (!corners_.empty()) {
-		dropFolds(isBlock);
+Status SplitMeshCollector::cleanOneSurface() {
+	const BlockMeasure unrepaired = measureUnrepaired(stored_, out_, out_.repair);
+	const Status status = clean();
+	compareWithUnrepaired(stored_, unrepaired, out_, out_.repair);
+	return status;
+}
+
+Status SplitMeshCollector::nameSources() {
+	if (arrangement_.again != nullptr) {
+		nameVerticesAsFirst(*arrangement_.again, out_.vertexSource);
+		out_.repair.movedVertices = countMoved(arrangement_, out_);
 	}
-	const auto nameSources = [this] {
-		if (arrangement_.again != nullptr) {
-			nameVerticesAsFirst(*arrangement_.again, out_.vertexSource);
-		}
-		return Status{};
-	};
+	return {};
+}
+
+Status SplitMeshCollector::run(bool isOneSurface) {
+	if (!corners_.empty()) {
+		dropFolds(isOneSurface);
+	}
 	return inOrder([this] { return placeVertices(); }, [this] { return writeFaces(); },
-	               [this] { return clean(); }, [this, isBlock] { return certify(isBlock); },
-	               nameSources, [this] { return markPolygons(); });
+	               [&] { return isOneSurface ? cleanOneSurface() : clean(); },
+	               [&] { return certify(isOneSurface); }, [this] { return nameSources(); },
+	               [this] { return markPolygons(); });
 }
 
 }  // namespace
 
 Status collectSubSurfaces(const Arrangement& arrangement, const SubSurfaces& surfaces,
-                          const SubBlocks& blocks, OperandId operand, Monitor& monitor,
+                          const SubBlocks& blocks, const SurfaceChoice& choice, Monitor& monitor,
                           SplitMesh& out) {
 	out = SplitMesh{};
 	SplitMeshCollector collector(arrangement, surfaces, blocks, monitor, out);
 	const HugeVector<RefinedFace>& faces = surfaces.complex.faces;
 	collector.expect(faces.size());
+	const auto isWanted = [&](std::size_t face) {
+		return choice.isChosen.empty() || at(choice.isChosen, surfaces.ofFace[face]) != 0;
+	};
 	const auto choose = [&](std::size_t begin, std::size_t end) {
 		for (std::size_t f = begin; f < end; ++f) {
-			bool isChosen = false;  // once, however often the operand has it
+			bool isStillWanted = isWanted(f);  // once, however often the operand has it
 			surfaces.complex.visitSources(faces[f], [&](FaceId source, bool opposed) {
-				if (!isChosen && arrangement.mesh.operandOf(source) == operand) {
+				if (isStillWanted && arrangement.mesh.operandOf(source) == choice.operand) {
 					collector.choose({static_cast<std::uint32_t>(f), {source, false}, opposed});
-					isChosen = true;
+					isStillWanted = false;
 				}
 			});
 		}

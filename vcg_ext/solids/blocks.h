@@ -9,6 +9,7 @@
 #include "vcg_ext/arrange/arrangement.h"
 #include "vcg_ext/base/monitor.h"
 #include "vcg_ext/base/status.h"
+#include "vcg_ext/carry/surface_repair.h"
 #include "vcg_ext/mesh/sourced_mesh.h"
 
 #include <algorithm>
@@ -28,18 +29,11 @@ constexpr int kOperationCount = 5;
 // Never null, never freed. Complexity: O(1).
 const char* operationName(Operation operation);
 
-// What the repair of places (repair_places.h) has done to one block.
-struct BlockRepair {
-	std::size_t movedVertices = 0;       // of the block, not stored in their rounded places
-	double volumeChange = 0;             // against the same block with all places as rounded
-	std::size_t vanishedComponents = 0;  // too thin for the scalar
-};
-
 // The boundary of a solid. A vertexSource is none() for the middle of an edge along which the block
 // met itself.
 struct Block : SourcedMesh {
 	Operation operation = Operation::Union;
-	BlockRepair repair;
+	SurfaceRepair repair;
 	std::size_t verticesCopied = 0;     // to pull apart where the block meets itself
 	std::vector<StageTime> stageTimes;  // of the stages that made this block
 
