@@ -4,6 +4,8 @@
 // Each filter is a file of its own; here is which one runs.
 #include "filters/filter_run.h"
 
+#include "filters/compute_index_boolean_distance.h"
+#include "filters/compute_index_boolean_implicit.h"
 #include "filters/generate_index_boolean.h"
 #include "filters/generate_index_boolean_curves.h"
 #include "filters/generate_index_boolean_split.h"
@@ -24,6 +26,10 @@ FilterOutput runFilter(FilterId filter, const ParameterValues& values, MeshDocum
 		return generateIndexBooleanSplit(values, document, callback);
 	case FilterId::GenerateIndexBooleanCurves:
 		return generateIndexBooleanCurves(values, document, callback);
+	case FilterId::ComputeIndexBooleanDistance:
+		return computeIndexBooleanDistance(values, document, callback);
+	case FilterId::ComputeIndexBooleanImplicit:
+		return computeIndexBooleanImplicit(values, document, callback);
 	}
 	throw std::logic_error("no such filter");
 }

@@ -7,6 +7,7 @@
 
 #include "runs/boolean_run.h"
 #include "runs/curves_run.h"
+#include "runs/distance_run.h"
 #include "runs/split_run.h"
 #include "texts/filter_definitions.h"
 
@@ -36,5 +37,8 @@ ResultMap resultMap(const SplitResult& result, const PieceLayers& layerIds,
                     const AdapterSeconds& seconds);
 
 ResultMap resultMap(const CurvesResult& result, int layerId, const AdapterSeconds& seconds);
+
+// The statistics of distances, each key with a suffix; added to a map.
+void addDistances(const DistanceStatistics& statistics, const std::string& suffix, ResultMap& map);
 
 }  // namespace index_boolean

@@ -15,12 +15,13 @@
 
 namespace index_boolean {
 
-enum class ParameterKind { Layer, Bool, Int, Choice };
+enum class ParameterKind { Layer, Bool, Int, Choice, Length };
 
 struct ParameterDefinition {
 	const char* name;
 	ParameterKind kind;
-	int defaultValue;  // Layer: the position in the document; Bool: 0 or 1; Choice: which of them
+	int defaultValue;  // Layer: the position in the document; Bool: 0 or 1; Choice: which of them;
+	                   // Length: 0
 	int minimum, maximum;  // Int: the values that are accepted
 	bool advanced;
 	const char* label;
@@ -35,6 +36,8 @@ enum class FilterId {
 	GenerateIndexBoolean,
 	GenerateIndexBooleanSplit,
 	GenerateIndexBooleanCurves,
+	ComputeIndexBooleanDistance,
+	ComputeIndexBooleanImplicit,
 };
 
 struct FilterDefinition {
@@ -43,6 +46,8 @@ struct FilterDefinition {
 	const char* menuName;
 	std::string help;  // with simple HTML
 	std::vector<ParameterDefinition> parameters;
+	// It writes what it finds on the layers that are there; else it makes new ones.
+	bool isMeasure = false;
 };
 
 // All filters of the plugin, in the order of the menu.

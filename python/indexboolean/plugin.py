@@ -10,6 +10,7 @@ import pathlib
 _HOST_VERSION = "2025.7"
 _FILTERS = (
     "generate_index_boolean", "generate_index_boolean_split", "generate_index_boolean_curves",
+    "compute_index_boolean_distance", "compute_index_boolean_implicit",
 )
 
 

@@ -9,6 +9,7 @@
 
 namespace index_boolean {
 
+// Vectors: a - b, the scalar product, the cross product, and a vector times a number.
 inline Point minus(const Point& a, const Point& b) {
 	return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
 }
@@ -22,7 +23,8 @@ inline Point times(const Point& a, double factor) {
 	return {a[0] * factor, a[1] * factor, a[2] * factor};
 }
 
-// A vector of length 1; zero if the given one is, or is not finite. Any magnitude. O(1).
+// A vector of length 1; zero if the given one is, or is not finite. Any magnitude. Complexity:
+// O(1).
 Point unitVector(const Point& v);
 
 // (b-a)x(c-a), of length 1: each coordinate within 38 * 2^-53 of the exact one. Depends on which
