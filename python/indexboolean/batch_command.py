@@ -18,7 +18,9 @@ from rich.progress import (
     BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeElapsedColumn, TimeRemainingColumn,
 )
 
-from .batch_job import FIGURES, job_of, outcome_on_disk, remove_unfinished
+from .batch_job import (
+    DISTANCE_FIGURES, FIGURES, job_of, outcome_on_disk, remove_unfinished,
+)
 from .batch_pool import available_cores, outcomes_on_this_machine
 from .batch_process import Limits
 from .batch_table import TableError, read_table
@@ -100,6 +102,8 @@ class Results:
         """Replaces the file by one with a row for each job that has an outcome."""
         blocks = [block for block in BLOCKS if any(block in job["blocks"] for job in self._jobs)]
         figures = [f"{block}_{figure}" for block in blocks for figure in FIGURES]
+        if any(job["kind"] == "distance" for job in self._jobs):
+            figures += DISTANCE_FIGURES
         columns = [
             "name", "first", "second", "status", "seconds", "message", "closed", *figures,
         ]

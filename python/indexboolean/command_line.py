@@ -210,7 +210,8 @@ def _add_batch(commands):
     command.add_argument(
         "table", type=pathlib.Path, metavar="JOBS.csv",
         help="columns first, second (mesh files, relative to the table) and, where wanted, name, "
-        "first_transform, second_transform (12 or 16 numbers, row by row), blocks",
+        "first_transform, second_transform (12 or 16 numbers, row by row), blocks, job (boolean, "
+        "or distance: what the command distance does)",
     )
     _add_boolean_options(command)
     command.add_argument(

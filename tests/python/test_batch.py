@@ -21,7 +21,7 @@ from conftest import box, sphere
 from placements import read_mesh
 
 FOUR_BLOCKS = ["union", "intersection", "first_minus_second", "second_minus_first"]
-COLUMNS = ("first", "second", "name", "first_transform", "second_transform", "blocks")
+COLUMNS = ("first", "second", "name", "first_transform", "second_transform", "blocks", "job")
 
 
 def saved(path, mesh):
