@@ -236,8 +236,9 @@ def test_beyondTheMaximumQualitiesAreItAndAttributesNoNumbers():
 
 
 def test_anOpenReferenceIsToldOnceAndHasSides():
+    sheet = "(np.array([(-2, -2, 0), (2, -2, 0), (2, 2, 0.0)]), np.array([(0, 1, 2)]))"
     log = log_of(
-        "document(box((0, 0, 1), (1, 1, 2)), square(-2, 2))", "compute_index_boolean_distance"
+        f"document(box((0, 0, 1), (1, 1, 2)), {sheet})", "compute_index_boolean_distance"
     )
     assert log.count("is open") == 1 and "Hausdorff distance" in log and "Colours: " in log
     mesh_set = document(box((0, 0, 1), (1, 1, 2)), square(-2, 2))
