@@ -13,7 +13,7 @@ namespace index_boolean {
 
 namespace {
 
-constexpr double kPreparing = 0.4, kBuilding = 0.1, kQuerying = 0.5;  // shares of a run
+constexpr double kPreparing = 0.45, kBuilding = 0.1, kQuerying = 0.45;  // shares of a run
 
 Status query(const SignedDistance& distance, const Points& points, const DistanceRequest& request,
              Monitor& monitor, DistanceResult& result) {

@@ -14,6 +14,8 @@ import igl
 import numpy as np
 import pymeshlab
 import pytest
+import pyvista
+import vtk
 
 import indexboolean
 from conftest import box, document, joined, sphere
@@ -145,6 +147,80 @@ def test_aMeshOfThePluginsHostIsTakenWithItsMatrix():
     set_matrix(mesh_set, 0, translation(5, 0, 0))
     signed_distance = indexboolean.SignedDistance(mesh_set.mesh(0))
     assert signed_distance(np.array([(5.5, 0.5, 0.5)]))[0][0] == -0.5
+
+
+# --- next to the surface --------------------------------------------------------------------------
+
+
+def exact_sides(vertices, face, points):
+    """On which side of a face's plane points lie: signs of determinants of whole numbers."""
+    a, b, c = (vertices[corner].astype(object) for corner in face)
+    u, v, w = b - a, c - a, points - a
+    normal = np.array([u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2],
+                       u[0] * v[1] - u[1] * v[0]], dtype=object)
+    return np.sign((w * normal).sum(axis=1).astype(object)).astype(int)
+
+
+@pytest.mark.parametrize("count", [
+    30_000, pytest.param(1_000_000, marks=pytest.mark.long),
+])
+def test_signsWithinATrillionthOfTheSurfaceAreExact(count):
+    """A tetrahedron of whole numbers, and points in units of 2^-42 of its size, at most 1e-12 of
+    that from faces, edges and vertices: Python's integers tell their sides."""
+    rng = np.random.default_rng(5)
+    size = 2**50
+    vertices = np.array([(0, 0, 0), (7, 1, 2), (1, 6, 3), (2, 3, 9)]) * (size // 16)
+    faces = np.array([(0, 2, 1), (0, 1, 3), (0, 3, 2), (1, 2, 3)])
+    weights = rng.dirichlet((0.3, 0.3, 0.3), count)
+    weights[::3, 0] = 0  # next to an edge
+    weights[::17] = np.eye(3)[rng.integers(3, size=len(weights[::17]))]
+    weights /= weights.sum(axis=1)[:, None]
+    corners = vertices[faces[rng.integers(4, size=count)]]
+    on = np.rint((weights[:, :, None] * corners).sum(axis=1))
+    points = on + rng.integers(-900, 901, size=(count, 3))  # 900 / 2^50 < 1e-12
+    assert np.array_equal(points, points.astype(np.float64).astype(np.int64))
+    whole = points.astype(np.int64).astype(object)
+    sides = np.array([exact_sides(vertices, face, whole) for face in faces]).max(axis=0)
+    found = indexboolean.SignedDistance((vertices.astype(float), faces)).sign(points)
+    assert np.array_equal(found, sides)
+    assert min((sides == -1).mean(), (sides == 1).mean()) > 0.1
+
+
+# --- VTK's filter ---------------------------------------------------------------------------------
+
+
+def distances_by_vtk(first, second):
+    """Those of the first's vertices, and of its face centres, by VTK's filter."""
+    polydata = vtk.vtkDistancePolyDataFilter()
+    for port, mesh in enumerate((first, second)):
+        polydata.SetInputData(port, pyvista.PolyData.from_regular_faces(*mesh))
+    polydata.ComputeCellCenterDistanceOn()
+    polydata.Update()
+    output = polydata.GetOutput(0)
+    return [np.array(data.GetArray("Distance")) for data in
+            (output.GetPointData(), output.GetCellData())]
+
+
+def test_vtksFilterIsReproducedOnItsArrays():
+    first, second = sample("bumpy_sphere"), sample("ribbed_torus")
+    mesh_set = document(first, second)
+    mesh_set.compute_index_boolean_distance()
+    for layer, pair in enumerate(((first, second), (second, first))):
+        mesh = mesh_set.mesh(layer)
+        of_points, of_cells = distances_by_vtk(*pair)
+        assert np.allclose(mesh.vertex_scalar_array(), of_points, rtol=0, atol=1e-14)
+        assert np.allclose(mesh.face_scalar_array(), of_cells, rtol=0, atol=1e-14)
+
+
+def test_whereVtksFilterHasTheWrongSign():
+    """Inside the first of two solids that overlap, in front of a wall of the second."""
+    both = joined(box((0, 0, 0), (2, 2, 2)), box((1, 1, 1), (3, 3, 3)))
+    small = box((0.8, 1.4, 1.4), (0.9, 1.6, 1.6))
+    of_points, _ = distances_by_vtk(small, both)
+    assert np.all(of_points > 0)
+    distance, _, _ = indexboolean.SignedDistance(both)(small[0])
+    assert np.all(distance < 0)
+    assert np.all(from_box(small[0], (0, 0, 0), (2, 2, 2)) < 0)
 
 
 # --- the filter -----------------------------------------------------------------------------------
