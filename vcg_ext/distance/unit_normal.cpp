@@ -71,8 +71,9 @@ Point unitNormal(const Point& a, const Point& b, const Point& c) {
 	}
 	const std::array<BoundedPair, 3> pairs = crossOf<BoundedPair>(a, b, c);
 	const Point values{pairs[0].high, pairs[1].high, pairs[2].high};
-	const double bound = std::max({pairs[0].bound, pairs[1].bound, pairs[2].bound});
-	if (bound <= largestOf(values) * 0x1p-60) {
+	const double bound = pairs[0].bound + pairs[1].bound + pairs[2].bound;
+	const double sum = values[0] + values[1] + values[2];  // no number if anything overflows
+	if (std::isfinite(sum + bound) && bound <= largestOf(values) * 0x1p-60) {
 		return unitVector(values);
 	}
 	return unitVector(exactRatios(a, b, c));

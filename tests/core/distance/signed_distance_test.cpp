@@ -489,6 +489,37 @@ TEST(SignedDistance, trustedFacesAreTakenAsGiven) {
 	          StatusCode::SelfIntersecting);
 }
 
+// Boxes of which the first is the largest, so that none of these layers is turned as a whole.
+TEST(SignedDistance, trustedSignsAreThoseOfTheRule) {
+	for (unsigned seed = 0; seed < 30; ++seed) {
+		std::mt19937 random(seed);
+		std::vector<std::pair<Mesh, int>> boxes{{box({-1, -1, -1}, {8, 8, 8}), 1}};
+		while (boxes.size() < 5) {
+			boxes.emplace_back(gridBox(random, 3), random() % 2 == 0 ? 1 : -2);
+		}
+		Mesh m;
+		for (const auto& [one, winding] : boxes) {
+			for (int i = 0; i < std::abs(winding); ++i) {
+				m = joined(m, winding < 0 ? turned(one) : one);
+			}
+		}
+		const WindingRule rule = static_cast<WindingRule>(seed % 3);
+		const SignedDistance distance = made(m, optionsOf(kTrust, rule));
+		std::vector<Point> points;
+		for (int i = 0; i < 300; ++i) {
+			points.push_back(randomIn(random, -2, 9));
+		}
+		const auto samples = sampled(distance, points);
+		for (std::size_t i = 0; i < points.size(); ++i) {
+			int winding = 0;
+			for (const auto& [one, times] : boxes) {
+				winding += toBox(points[i], one.points[0], one.points[7]) < 0 ? times : 0;
+			}
+			ASSERT_EQ(samples[i].sign, ruleSays(rule, winding) ? -1 : 1) << seed << " " << i;
+		}
+	}
+}
+
 TEST(SignedDistance, insideOutOrNotIsTheSame) {
 	const Mesh m = sphere(10, {0, 0, 0}, 1);
 	for (const SelfIntersections search : {kResolve, kTrust}) {
