@@ -153,9 +153,7 @@ LAYERS = {"first_mesh", "second_mesh", "points_mesh", "reference_mesh"}
 
 def script_value(default):
     """A parameter's default as scripts have it."""
-    if isinstance(default, pymeshlab.PercentageValue):
-        return f"{default.value():g}"
-    return str(default).lower()
+    return f"{default:g}" if isinstance(default, float) else str(default).lower()
 
 
 def test_everyFilterHasAnExampleThatListsItsParametersAtTheirDefaults(plugin):
