@@ -762,4 +762,115 @@ Status audit(const Arrangement& arrangement, const Split& split, const Clip& cli
 	});
 }
 
+namespace {
+
+// The vertices that faces use, in their order, in place of all.
+template <class AnyPoints>
+void takePoints(const AnyPoints& points, Reference& out) {
+	std::vector<std::uint32_t> number(points.size(), kNone);
+	for (const IndexTriangle& triangle : out.triangles) {
+		for (const std::uint32_t corner : triangle) {
+			number[corner] = 0;
+		}
+	}
+	for (std::size_t vertex = 0; vertex < number.size(); ++vertex) {
+		if (number[vertex] != kNone) {
+			number[vertex] = static_cast<std::uint32_t>(out.points.size());
+			out.points.push_back(points[vertex]);
+		}
+	}
+	for (IndexTriangle& triangle : out.triangles) {
+		for (std::uint32_t& corner : triangle) {
+			corner = number[corner];
+		}
+	}
+}
+
+// The operand's faces as prepared, right side out.
+void takeOperand(const Arrangement& arrangement, Reference& out) {
+	out.isClosed = arrangement.closed[kFirst];
+	out.wasInsideOut = out.isClosed && arrangement.volume[kFirst] < 0;
+	out.volume = out.isClosed ? std::fabs(arrangement.volume[kFirst]) : 0;
+	const Triangles& triangles = arrangement.mesh.triangles;
+	for (std::size_t face = 0; face < triangles.size(); ++face) {
+		const Triangle& t = triangles[face];
+		out.triangles.push_back({t[0].value, t[1].value, t[2].value});
+		if (out.wasInsideOut) {
+			std::swap(out.triangles.back()[1], out.triangles.back()[2]);
+		}
+		out.faceGiven.push_back(arrangement.givenFace(makeId<FaceTag>(face)));
+	}
+	takePoints(arrangement.mesh.points, out);
+}
+
+// The boundary of what the rule calls inside.
+Status takeInside(const Arrangement& arrangement, Monitor& monitor, Reference& out) {
+	const WindingRule rule = arrangement.options.windingRule;
+	Block block;
+	const auto inside = [rule](const PerOperand<std::int32_t>& windings) {
+		return isInside(rule, windings[kFirst]);
+	};
+	Status status = extractBlock(arrangement, inside, monitor, block);
+	if (status.ok() && block.triangles.empty()) {
+		status.code = StatusCode::NoVolume;
+		status.operand = numberOf(kFirst);
+	}
+	if (!status.ok()) {
+		return status;
+	}
+	out.isClosed = true;
+	out.wasInsideOut = arrangement.insideOut[kFirst];
+	out.volume = arrangement.volume[kFirst];
+	out.isResolved = block.triangles.size() != arrangement.mesh.triangles.size() ||
+	                 !arrangement.refinement.cutFaces.empty();
+	out.rule = WindingRule::Nonzero;  // the boundary winds once around what is inside
+	out.triangles = std::move(block.triangles);
+	for (const FaceSource& source : block.faceSource) {
+		out.faceGiven.push_back(arrangement.givenFace(source.face));
+	}
+	takePoints(block.points, out);
+	return {};
+}
+
+// The operand's faces as they are: only checked and welded.
+Status takeTrusted(MeshArrays input, const Options& options, Monitor& monitor, Reference& out) {
+	Arrangement arrangement;
+	arrangement.options = options;
+	arrangement.mesh = std::move(input);
+	const Status status = prepareSoup(arrangement, monitor);
+	if (status.ok()) {
+		takeOperand(arrangement, out);
+	}
+	return status;
+}
+
+}  // namespace
+
+Status prepareReference(MeshArrays input, const Options& options, bool isSigned, Monitor& monitor,
+                        Reference& out) {
+	return guarded([&] {
+		out = Reference{};
+		out.isSigned = isSigned;
+		out.rule = options.windingRule;
+		if (!isSigned || options.selfIntersections == SelfIntersections::Trust) {
+			return takeTrusted(std::move(input), options, monitor, out);
+		}
+		Options searched = options;
+		searched.weldNonManifold = true;
+		searched.outputScalar = OutputScalar::Double;
+		Arrangement arrangement;
+		const Status status = arrangeCells(std::move(input), searched, monitor, arrangement);
+		if (!status.ok()) {
+			return status;
+		}
+		out.selfIntersecting = arrangement.selfIntersecting[kFirst];
+		out.stageTimes = arrangement.stageTimes;
+		if (arrangement.closed[kFirst]) {
+			return takeInside(arrangement, monitor, out);
+		}
+		takeOperand(arrangement, out);
+		return Status{};
+	});
+}
+
 }  // namespace index_boolean

@@ -16,6 +16,7 @@
 #include "vcg_ext/base/monitor.h"
 #include "vcg_ext/base/status.h"
 #include "vcg_ext/carry/attributes.h"
+#include "vcg_ext/distance/signed_distance.h"
 #include "vcg_ext/mesh/measure.h"
 #include "vcg_ext/mesh/mesh_arrays.h"
 #include "vcg_ext/parts/clip.h"
@@ -196,5 +197,17 @@ Status audit(const Arrangement& arrangement, const Split& split,
 // Complexity: O(n) for its faces and the operands' points.
 Status audit(const Arrangement& arrangement, const Split& split, const Clip& clip,
              const SplitMesh& mesh, Monitor& monitor, BlockMeasure& measure);
+// Makes the surface that distances are measured to (SignedDistance) of one operand: welded, without
+// zero-area faces, right side out. With signs, and unless it is trusted, it is searched: of one
+// that meets itself, or has components in each other, it is the boundary of what
+// options.windingRule calls inside, as stored in doubles; of any other one, the faces as given. A
+// surface that is open, cut by itself, too, is taken as it is. Trusted, or without signs: the faces
+// as given. \param input    one operand \param isSigned whether signs are wanted \return Ok,
+// Cancelled, OutOfMemory, EmptyOperand, NotFinite, IndexOutOfRange, TooLarge,
+//         InternalError; NoVolume if it is closed and encloses nothing; SelfIntersecting only if
+//         options.selfIntersections is Refuse
+// Complexity: as arrangeCells; trusted, O(n).
+Status prepareReference(MeshArrays input, const Options& options, bool isSigned, Monitor& monitor,
+                        Reference& out);
 
 }  // namespace index_boolean

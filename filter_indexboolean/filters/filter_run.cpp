@@ -4,6 +4,8 @@
 // Each filter is a file of its own; here is which one runs.
 #include "filters/filter_run.h"
 
+#include "filters/compute_index_boolean_distance.h"
+#include "filters/compute_index_boolean_implicit.h"
 #include "filters/generate_index_boolean.h"
 #include "filters/generate_index_boolean_curves.h"
 #include "filters/generate_index_boolean_expression.h"
@@ -30,6 +32,10 @@ FilterOutput runFilter(FilterId filter, const ParameterValues& values, MeshDocum
 		return generateIndexBooleanExpression(values, document, callback);
 	case FilterId::GenerateIndexBooleanResolve:
 		return generateIndexBooleanResolve(values, document, callback);
+	case FilterId::ComputeIndexBooleanDistance:
+		return computeIndexBooleanDistance(values, document, callback);
+	case FilterId::ComputeIndexBooleanImplicit:
+		return computeIndexBooleanImplicit(values, document, callback);
 	}
 	throw std::logic_error("no such filter");
 }

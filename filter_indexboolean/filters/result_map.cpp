@@ -284,4 +284,13 @@ ResultMap resultMap(const CurvesResult& result, int layerId, const AdapterSecond
 	return map;
 }
 
+void addDistances(const DistanceStatistics& statistics, const std::string& suffix, ResultMap& map) {
+	map["min" + suffix] = statistics.min;
+	map["max" + suffix] = statistics.max;
+	map["mean" + suffix] = statistics.mean;
+	map["rms" + suffix] = statistics.rms;
+	map["mean_absolute" + suffix] = statistics.meanAbsolute;
+	map["beyond" + suffix] = toInt(statistics.beyond);
+}
+
 }  // namespace index_boolean

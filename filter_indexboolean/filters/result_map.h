@@ -7,6 +7,7 @@
 
 #include "runs/boolean_run.h"
 #include "runs/curves_run.h"
+#include "runs/distance_run.h"
 #include "runs/expression_run.h"
 #include "runs/split_run.h"
 #include "texts/filter_definitions.h"
@@ -52,5 +53,8 @@ ResultMap resultMap(const SplitResult& result, const std::vector<Clip>& clips,
                     const AdapterSeconds& seconds);
 
 ResultMap resultMap(const CurvesResult& result, int layerId, const AdapterSeconds& seconds);
+
+// The statistics of distances, each key with a suffix; added to a map.
+void addDistances(const DistanceStatistics& statistics, const std::string& suffix, ResultMap& map);
 
 }  // namespace index_boolean

@@ -4,11 +4,10 @@
 // All layers are found and named before anything is read from them.
 #include "layers/operand_layers.h"
 
+#include <cmath>
 #include <utility>
 
 namespace index_boolean {
-
-namespace {
 
 MeshModel* findOperand(FilterId filter, const char* name, const ParameterValues& values,
                        MeshDocument& document) {
@@ -24,8 +23,6 @@ LayerName nameOf(const MeshModel& layer) {
 	const std::string label = layer.label().toStdString();
 	return {label.empty() ? "layer " + std::to_string(layer.id()) : label, layer.id()};
 }
-
-}  // namespace
 
 OperandLayers findOperandLayers(FilterId filter, const ParameterValues& values,
                                 MeshDocument& document) {
@@ -75,6 +72,14 @@ int numberInRange(FilterId filter, const char* name, const ParameterValues& valu
 		throw Refusal(outOfRangeMessage(definition, number));
 	}
 	return number;
+}
+
+double lengthInRange(FilterId filter, const char* name, const ParameterValues& values) {
+	const double length = values.getLength(name);
+	if (!(length >= 0 && std::isfinite(length))) {
+		throw Refusal(badLengthMessage(parameterDefinition(filter, name), length));
+	}
+	return length;
 }
 
 Options readCommonOptions(FilterId filter, const ParameterValues& values) {

@@ -37,9 +37,18 @@ void hideLayers(const OperandLayers& operands);
 
 // The layers of the document that have been named, in that order. \pre each once, and it is there
 OperandLayers layersNamed(const std::vector<LayerName>& names, MeshDocument& document);
+// The layer that one parameter names; throws Refusal if there is none.
+MeshModel* findOperand(FilterId filter, const char* name, const ParameterValues& values,
+                       MeshDocument& document);
+
+// What a layer is called in sentences.
+LayerName nameOf(const MeshModel& layer);
 
 // The parameter's number; throws Refusal if it is out of the range of its definition.
 int numberInRange(FilterId filter, const char* name, const ParameterValues& values);
+
+// The parameter's length; throws Refusal if it is negative or no number.
+double lengthInRange(FilterId filter, const char* name, const ParameterValues& values);
 
 // The options that every filter has: the search for self-intersections and the octree's limits, and
 // the host's scalar.

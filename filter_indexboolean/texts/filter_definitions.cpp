@@ -107,6 +107,35 @@ const char* const kResolveHelp =
     "every bit of their coordinates. The layer must be closed; an open one is refused, with its "
     "border selected. Its matrix is applied.<br>";
 
+const char* const kSign =
+    "<b>The sign is negative inside.</b> Of a closed layer it is exact: that of the winding number "
+    "around each point, and 0 on the surface. A closed layer that meets itself is taken for what "
+    "its winding rule says: inner walls count for nothing. Of an open layer the side of the "
+    "nearest face, edge or vertex decides, and the log says so.<br>";
+
+const char* const kDistanceHelp =
+    "Measures how far each vertex and each face centre of one layer is from the nearest point of "
+    "another layer, in both directions at once: how far is the scan from the design?<br>"
+    "Values go to the layers themselves: vertex and face <b>quality</b>, colours, and the custom "
+    "attribute <b>distance</b>; where asked for, <b>distance_direction</b>, <b>closest_point</b> "
+    "and <b>closest_face</b>. The log and the result map have minimum, maximum, mean, root mean "
+    "square, and the Hausdorff distance of the two sets of points.<br>";
+
+const char* const kImplicitHelp =
+    "Evaluates a layer as an implicit function at the vertices of another one, which may be a "
+    "grid, a sampling or any cloud of points: the signed distance, on request its gradient (as "
+    "normals and the custom attribute <b>distance_direction</b>), and which points are inside "
+    "(selected).<br>"
+    "Values go to the points' layer: vertex <b>quality</b> and the custom attribute "
+    "<b>distance</b>.<br>";
+
+const char* const kDistancePapers =
+    "The layers' matrices are applied.<br>"
+    "<br>See:<br><i>C. Quammen, C. Weigle, R. Taylor</i><br><b>\"Boolean Operations on Surfaces in "
+    "VTK Without External Libraries\"</b><br>The VTK Journal, 2011, sections 3.1 and 3.2<br>"
+    "<i>J. A. B&aelig;rentzen, H. Aan&aelig;s</i><br><b>\"Signed Distance Computation Using the "
+    "Angle Weighted Pseudonormal\"</b><br>IEEE TVCG 11(3), 2005";
+
 constexpr ParameterKind kBool = ParameterKind::Bool, kInt = ParameterKind::Int,
                         kChoice = ParameterKind::Choice, kText = ParameterKind::Text;
 
@@ -433,6 +462,94 @@ FilterDefinition resolveDefinition() {
 	};
 }
 
+const ParameterDefinition kNegate{"negate",
+                                  kBool,
+                                  0,
+                                  0,
+                                  1,
+                                  false,
+                                  "Negate sign",
+                                  "Positive inside and negative outside, and directions turned."};
+
+const ParameterDefinition kMaxDistance{
+    "max_distance",
+    ParameterKind::Length,
+    0,
+    0,
+    0,
+    false,
+    "Maximum distance",
+    "Points farther away than this are not measured, which saves time: their custom attribute "
+    "distance is no number (NaN), their quality this distance with its sign, their colour grey, "
+    "and they are counted. A length, or a percentage of the diagonal of the box around all "
+    "layers. 0: no maximum."};
+
+FilterDefinition distanceDefinition() {
+	return {
+	    FilterId::ComputeIndexBooleanDistance,
+	    "compute_index_boolean_distance",
+	    "Index Boolean: Signed Distance between Two Layers",
+	    std::string(kDistanceHelp) + kSign + kDistancePapers,
+	    {
+	        layerParameter("first_mesh", 0, "First layer",
+	                       "The layer whose vertices and faces are measured: a surface, open or "
+	                       "closed, or a cloud of points."),
+	        layerParameter("second_mesh", 1, "Second layer",
+	                       "The layer that distances are measured to: a surface, open or closed, "
+	                       "another layer than the first."),
+	        {"signed", kBool, 1, 0, 1, false, "Signed",
+	         "Distances are negative inside the other layer. Off: never negative, to all faces as "
+	         "they are, and no layer is searched for self-intersections."},
+	        kNegate,
+	        kSelfIntersections,
+	        kWindingRule,
+	        {"at_vertices", kBool, 1, 0, 1, false, "At vertices",
+	         "Vertices are measured: vertex quality and attributes."},
+	        {"at_faces", kBool, 1, 0, 1, false, "At faces",
+	         "The centres of faces are measured: face quality and attributes."},
+	        {"both_ways", kBool, 1, 0, 1, false, "Both ways",
+	         "The second layer's distances to the first are measured, too, unless that has no "
+	         "faces."},
+	        {"direction", kBool, 0, 0, 1, false, "Direction",
+	         "The custom point attribute distance_direction: the unit vector in which the distance "
+	         "grows, its gradient."},
+	        {"closest", kBool, 0, 0, 1, false, "Closest point and face",
+	         "The custom attributes closest_point and closest_face: the nearest point of the other "
+	         "layer, with that layer's matrix applied, and the number of its face."},
+	        kMaxDistance,
+	        {"color", kBool, 1, 0, 1, false, "Colours",
+	         "Vertices and faces are coloured by distance: blue below zero, white at zero, red "
+	         "above. The range is symmetric around zero if distances are signed; the log has it."},
+	    },
+	    true,
+	};
+}
+
+FilterDefinition implicitDefinition() {
+	return {
+	    FilterId::ComputeIndexBooleanImplicit,
+	    "compute_index_boolean_implicit",
+	    "Index Boolean: Implicit Function of a Layer",
+	    std::string(kImplicitHelp) + kSign + kDistancePapers,
+	    {
+	        layerParameter("points_mesh", 0, "Points",
+	                       "The layer at whose vertices the function is evaluated."),
+	        layerParameter("reference_mesh", 1, "Surface",
+	                       "The layer whose signed distance is the function: open or closed."),
+	        {"gradient", kBool, 0, 0, 1, false, "Gradient",
+	         "The function's gradient as vertex normals, and as the custom point attribute "
+	         "distance_direction."},
+	        {"select_inside", kBool, 1, 0, 1, false, "Select what is inside",
+	         "The points inside the surface are left selected, and no others."},
+	        kNegate,
+	        kSelfIntersections,
+	        kWindingRule,
+	        kMaxDistance,
+	    },
+	    true,
+	};
+}
+
 // The end of a file's name, as in "ply" and "3ds", rather than of a number, as in "25" or "5 cube".
 bool isFileSuffix(const std::string& text) {
 	constexpr std::size_t kLongest = 4;
@@ -455,8 +572,8 @@ const char* const kVendor = "The Index Boolean authors";
 
 const std::vector<FilterDefinition>& filterDefinitions() {
 	static const std::vector<FilterDefinition> definitions{
-	    booleanDefinition(), splitDefinition(), curvesDefinition(), expressionDefinition(),
-	    resolveDefinition()};
+	    booleanDefinition(), splitDefinition(),    curvesDefinition(),  expressionDefinition(),
+	    resolveDefinition(), distanceDefinition(), implicitDefinition()};
 	return definitions;
 }
 

@@ -15,14 +15,15 @@
 
 namespace index_boolean {
 
-enum class ParameterKind { Layer, Bool, Int, Choice, Text };
+enum class ParameterKind { Layer, Bool, Int, Choice, Text, Length };
 
 struct ParameterDefinition {
 	static constexpr int kCurrentLayer = -1;
 
 	const char* name;
 	ParameterKind kind;
-	// Layer: the position in the document, or kCurrentLayer; Bool: 0 or 1; Choice: which of them
+	// Layer: the position in the document, or kCurrentLayer; Bool: 0 or 1; Choice: which of them;
+	// Length: 0
 	int defaultValue;
 	int minimum, maximum;  // Int: the values that are accepted
 	bool advanced;
@@ -41,6 +42,8 @@ enum class FilterId {
 	GenerateIndexBooleanCurves,
 	GenerateIndexBooleanExpression,
 	GenerateIndexBooleanResolve,
+	ComputeIndexBooleanDistance,
+	ComputeIndexBooleanImplicit,
 };
 
 struct FilterDefinition {
@@ -49,6 +52,8 @@ struct FilterDefinition {
 	const char* menuName;
 	std::string help;  // with simple HTML
 	std::vector<ParameterDefinition> parameters;
+	// It writes what it finds on the layers that are there; else it makes new ones.
+	bool isMeasure = false;
 };
 
 // All filters of the plugin, in the order of the menu.

@@ -162,6 +162,11 @@ std::string sameLayerMessage(const LayerName& layer) {
 	       "with \"Duplicate Current layer\" (generate_copy_of_current_mesh).";
 }
 
+std::string badLengthMessage(const ParameterDefinition& parameter, double length) {
+	return std::string(parameter.name) + " is " + decimal(length) +
+	       ". Choose a length of 0 or more.";
+}
+
 std::string outOfRangeMessage(const ParameterDefinition& parameter, int value) {
 	return std::string(parameter.name) + " is " + std::to_string(value) +
 	       ". Choose a number from " + std::to_string(parameter.minimum) + " to " +
@@ -420,6 +425,70 @@ std::string emptyBlockMessage(Operation operation, const LayerNames& layers) {
 		break;
 	}
 	return "\"" + blockLabel(operation, layers) + "\" is empty: " + reason + ".";
+}
+
+std::vector<std::string> distanceReferenceMessages(const DistanceResult& result,
+                                                   const LayerName& layer) {
+	std::vector<std::string> messages;
+	if (result.wasInsideOut) {
+		messages.push_back(turnedMessage(layer));
+	}
+	if (result.isResolved) {
+		messages.push_back("Layer " + quoted(layer) + " meets itself, in " +
+		                   counted(result.selfIntersecting, "face") +
+		                   ", or has components in each other: distances are to the boundary of "
+		                   "what its winding rule calls inside.");
+	}
+	if (result.isSigned && !result.isClosed) {
+		messages.push_back("Layer " + quoted(layer) +
+		                   " is open: signs are those of the side of the nearest face, edge or "
+		                   "vertex.");
+	}
+	return messages;
+}
+
+std::string distanceMessage(const DistanceStatistics& statistics, const LayerName& layer,
+                            const LayerName& reference) {
+	return "Distance of " + quoted(layer) + " from " + quoted(reference) + " at " +
+	       counted(statistics.count, "point") + ": minimum " + decimal(statistics.min) +
+	       ", maximum " + decimal(statistics.max) + ", mean " + decimal(statistics.mean) +
+	       ", root mean square " + decimal(statistics.rms) + ", mean of absolute values " +
+	       decimal(statistics.meanAbsolute) + ".";
+}
+
+std::string distanceColourMessage(double range, bool isSigned) {
+	return "Colours: " +
+	       (isSigned ? "blue at -" + decimal(range) + ", white at 0" : std::string("white at 0")) +
+	       ", red at " + decimal(range) + ".";
+}
+
+std::vector<std::string> noDistanceMessages(const DistanceStatistics& statistics,
+                                            const LayerName& layer) {
+	std::vector<std::string> messages;
+	if (statistics.beyond > 0) {
+		messages.push_back("Layer " + quoted(layer) + ": " + counted(statistics.beyond, "point") +
+		                   (statistics.beyond == 1 ? " is" : " are") +
+		                   " farther away than max_distance, and not measured.");
+	}
+	if (statistics.noNumber > 0) {
+		messages.push_back("Layer " + quoted(layer) + ": " + counted(statistics.noNumber, "point") +
+		                   (statistics.noNumber == 1 ? " is" : " are") +
+		                   " no place, with coordinates that are not finite, and not measured.");
+	}
+	return messages;
+}
+
+std::string oneWayMessage(const LayerName& first) {
+	return "Layer " + quoted(first) +
+	       " has no faces: distances from it are not measured, and there is no Hausdorff distance.";
+}
+
+std::string hausdorffMessage(double distance) {
+	return "Hausdorff distance of the points measured: " + decimal(distance) + ".";
+}
+
+std::string nothingMeasuredMessage() {
+	return noneRequested("place to measure at", {"at_vertices", "at_faces"});
 }
 
 }  // namespace index_boolean

@@ -5,6 +5,7 @@
 // reads. Each refusal names the layer, the defect, how many, where, and what to do about it.
 #pragma once
 
+#include "runs/distance_run.h"
 #include "runs/split_run.h"
 #include "texts/filter_definitions.h"
 #include "texts/layer_names.h"
@@ -27,6 +28,7 @@ std::string refusalMessage(const Status& status, const LayerNames& layers);
 std::string unknownLayerMessage(const ParameterDefinition& parameter, int id);
 std::string sameLayerMessage(const LayerName& layer);
 std::string outOfRangeMessage(const ParameterDefinition& parameter, int value);
+std::string badLengthMessage(const ParameterDefinition& parameter, double length);
 std::string nothingRequestedMessage();
 
 // An exception of the host or the standard library, which no input should lead to.
@@ -109,5 +111,24 @@ std::string timeMessage(double totalSeconds, double coreSeconds);
 
 // The block has no face: says what that means for the two layers.
 std::string emptyBlockMessage(Operation operation, const LayerNames& layers);
+
+// What was found of the layer that distances were measured to, as far as it is worth a sentence.
+std::vector<std::string> distanceReferenceMessages(const DistanceResult& result,
+                                                   const LayerName& layer);
+
+// The distances of a layer from another one in numbers.
+std::string distanceMessage(const DistanceStatistics& statistics, const LayerName& layer,
+                            const LayerName& reference);
+
+// What colours mean; what had no distance, empty if there was nothing such.
+std::string distanceColourMessage(double range, bool isSigned);
+std::vector<std::string> noDistanceMessages(const DistanceStatistics& statistics,
+                                            const LayerName& layer);
+
+// Distances of the second layer from the first were asked for, which has no faces.
+std::string oneWayMessage(const LayerName& first);
+
+std::string hausdorffMessage(double distance);
+std::string nothingMeasuredMessage();
 
 }  // namespace index_boolean

@@ -19,6 +19,7 @@ public:
 
 	void set(const std::string& name, int value) { values_[name] = value; }
 	void set(const std::string& name, const std::string& text) { texts_[name] = text; }
+	void setLength(const std::string& name, double length) { lengths_[name] = length; }
 
 	bool getBool(const std::string& name) const { return getInt(name) != 0; }
 
@@ -26,10 +27,13 @@ public:
 	int getInt(const std::string& name) const { return values_.at(name); }
 	// The same; in UTF-8.
 	const std::string& getText(const std::string& name) const { return texts_.at(name); }
+	// The same; in the layers' unit, if it was given as a percentage, too.
+	double getLength(const std::string& name) const { return lengths_.at(name); }
 
 private:
 	std::map<std::string, int> values_;
 	std::map<std::string, std::string> texts_;
+	std::map<std::string, double> lengths_;
 };
 
 // \param parameters any host's list of parameters
@@ -55,6 +59,9 @@ ParameterValues readValues(const FilterDefinition& filter, const HostParameters&
 			break;
 		case ParameterKind::Text:
 			values.set(name, parameters.getString(name).toStdString());
+			break;
+		case ParameterKind::Length:
+			values.setLength(name, static_cast<double>(parameters.getAbsPerc(name)));
 			break;
 		}
 	}

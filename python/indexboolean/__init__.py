@@ -10,10 +10,13 @@
     ms.load_new_mesh("b.ply")
     result = ms.generate_index_boolean(first_mesh=0, second_mesh=1)
 
-Command line: python -m indexboolean boolean|split|curves a.ply b.ply -o DIR
+    distance, gradient, face = indexboolean.SignedDistance((vertices, faces))(points)
+
+Command line: python -m indexboolean boolean|split|curves|distance a.ply b.ply -o DIR
               python -m indexboolean batch jobs.csv -o DIR
 """
 
 from .plugin import HostError, load_plugin, plugin_path
+from .signed_distance import SignedDistance
 
-__all__ = ["HostError", "load_plugin", "plugin_path"]
+__all__ = ["HostError", "SignedDistance", "load_plugin", "plugin_path"]

@@ -18,7 +18,9 @@ from rich.progress import (
     BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeElapsedColumn, TimeRemainingColumn,
 )
 
-from .batch_job import FIGURES, job_of, outcome_on_disk, remove_unfinished
+from .batch_job import (
+    DISTANCE_FIGURES, FIGURES, job_of, outcome_on_disk, remove_unfinished,
+)
 from .batch_pool import available_cores, outcomes_on_this_machine
 from .batch_process import Limits
 from .batch_table import TableError, read_table
@@ -104,6 +106,8 @@ class Results:
     def write(self):
         """Replaces the file by one with a row for each job that has an outcome."""
         figures = [f"{block}_{figure}" for block in self._blocks() for figure in FIGURES]
+        if any(job.get("kind") == "distance" for job in self._jobs):
+            figures += DISTANCE_FIGURES
         is_evaluation = "expression" in self._jobs[0]
         columns = [
             "name", *(("expression", "operands") if is_evaluation else ("first", "second")),

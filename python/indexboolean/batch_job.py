@@ -21,15 +21,23 @@ import time
 
 from .batch_table import Evaluation
 from .boolean_job import BLOCKS, FORMATS, run_boolean_job
+from .distance_job import SIDES, STATISTICS, run_distance_job
 from .evaluate_job import run_evaluate_job
 from .job import Job, JobError, LayersJob, Refusal
 from .plugin import HostError
 
 UNFINISHED = ".unfinished"  # beside the jobs' folders: what interrupted jobs leave
 FIGURES = ("faces", "volume", "self_intersections")  # of each block
+DISTANCE_FIGURES = ("hausdorff", *(f"{name}_{side}" for side in SIDES for name in STATISTICS))
+_DISTANCE_PARAMETERS = ("self_intersections", "winding_rule")
 _RECORD = "job.json"
-_IN_COLUMNS = re.compile(r'".*": \d+ faces?|Certified:|Index Boolean took')
-_FILES = {"result.json", *(f"{block}.{suffix}" for block in BLOCKS for suffix in FORMATS)}
+_IN_COLUMNS = re.compile(
+    r'".*": \d+ faces?|Certified:|Index Boolean took|Hausdorff|Distance of|Colours:'
+)
+_FILES = {
+    "result.json", *(f"{side}.ply" for side in SIDES),
+    *(f"{block}.{suffix}" for block in BLOCKS for suffix in FORMATS),
+}
 
 
 def job_of(row, folder, file_format, parameters):
@@ -45,6 +53,7 @@ def job_of(row, folder, file_format, parameters):
             "second": str(row.second),
             "first_transform": row.first_transform,
             "second_transform": row.second_transform,
+            "kind": row.kind,
         }
     job = {**operands, "blocks": row.blocks, "format": file_format, "parameters": parameters}
     return {
@@ -74,7 +83,7 @@ def run_job(job):
     """Does the job, unless it is done; returns its outcome and raises nothing.
 
     An outcome has a status (done, refused, out_of_memory, failed), a message, seconds, and, if
-    done, closed and the figures of each block.
+    done, closed and the figures of each block, or those of the distances.
     """
     start = time.monotonic()
     finished = outcome_on_disk(job)
@@ -96,8 +105,11 @@ def _do(job, start):
     with tempfile.TemporaryDirectory(prefix=f"{job['name']}-", dir=unfinished) as new:
         new = pathlib.Path(new)
         try:
-            result, messages = _evaluation(job, new) if "expression" in job else _boolean(job, new)
-            outcome = _figures(result, job)
+            run = (
+                _evaluation if "expression" in job
+                else _distance if job["kind"] == "distance" else _boolean
+            )
+            outcome, messages = run(job, new)
             outcome.update(status="done", message=_remarks(messages))
         except Refusal as error:
             outcome = {"status": "refused", "message": str(error)}
@@ -107,17 +119,35 @@ def _do(job, start):
 
 
 def _boolean(job, folder):
-    run = Job(
+    """The figures of a Boolean, and what it logged."""
+    result, messages = run_boolean_job(
+        _document(job, folder), job["blocks"], job["format"], **job["parameters"]
+    )
+    return _figures(result, job), messages
+
+
+def _distance(job, folder):
+    """The figures of a distance, and what it logged."""
+    parameters = {name: job["parameters"][name] for name in _DISTANCE_PARAMETERS}
+    result, messages = run_distance_job(_document(job, folder), **parameters)
+    return {name: result[name] for name in DISTANCE_FIGURES if name in result}, messages
+
+
+def _document(job, folder):
+    return Job(
         pathlib.Path(job["first"]), pathlib.Path(job["second"]), folder, lambda *_: None,
         transforms=(job["first_transform"], job["second_transform"]),
     )
-    return run_boolean_job(run, job["blocks"], job["format"], **job["parameters"])
 
 
 def _evaluation(job, folder):
+    """The figures of an expression's results, and what it logged."""
     files = {name: pathlib.Path(path) for name, path in job["operands"].items()}
     run = LayersJob(files, folder, lambda *_: None)
-    return run_evaluate_job(run, job["expression"], job["format"], **job["parameters"])
+    result, messages = run_evaluate_job(
+        run, job["expression"], job["format"], **job["parameters"]
+    )
+    return _figures(result, job), messages
 
 
 def _remarks(messages):

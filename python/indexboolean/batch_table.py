@@ -15,9 +15,12 @@ from .evaluate_job import result_names
 from .expression_text import ExpressionError, ExpressionText, check_operand_name, default_names
 
 # The columns that the rows of each kind have, and may have.
-PAIR_COLUMNS = ("first", "second"), ("name", "first_transform", "second_transform", "blocks")
+PAIR_COLUMNS = ("first", "second"), (
+    "name", "first_transform", "second_transform", "blocks", "job",
+)
 EVALUATION_COLUMNS = ("expression", "operands"), ("name",)
 _OPERAND = re.compile(r'\s*(?:([^;="]+?)\s*=\s*)?("[^"]*"|[^;="]+?)\s*(?:;|$)')
+KINDS = ("boolean", "distance")
 _SHOWN = 10  # of the rows that are wrong
 _AFFINE_LAST_ROW = (0.0, 0.0, 0.0, 1.0)
 
@@ -28,7 +31,8 @@ class TableError(Exception):
 
 @dataclasses.dataclass(frozen=True)
 class Pair:
-    """One row: absolute paths, 4 x 4 matrices row by row (None: as the file is), block names."""
+    """One row: absolute paths, 4 x 4 matrices row by row (None: as the file is), block names (of a
+    distance none), what is done."""
 
     name: str
     first: pathlib.Path
@@ -36,6 +40,7 @@ class Pair:
     first_transform: Optional[tuple]
     second_transform: Optional[tuple]
     blocks: tuple
+    kind: str = KINDS[0]
 
 
 @dataclasses.dataclass(frozen=True)
@@ -139,13 +144,19 @@ def _operands_of(text, folder):
 
 
 def _pair_of(row, number, folder, default_blocks):
+    kind = row.get("job") or KINDS[0]
+    if kind not in KINDS:
+        raise ValueError(f"no job {kind!r}; there are {', '.join(KINDS)}")
+    if kind == "distance" and row.get("blocks"):
+        raise ValueError("a distance has no blocks")
     return Pair(
         name=_name_of(row.get("name") or f"{number:04}"),
         first=folder / row["first"],
         second=folder / row["second"],
         first_transform=_matrix_of("first_transform", row),
         second_transform=_matrix_of("second_transform", row),
-        blocks=_blocks_of(row.get("blocks", ""), default_blocks),
+        blocks=_blocks_of(row.get("blocks", ""), default_blocks) if kind == "boolean" else (),
+        kind=kind,
     )
 
 

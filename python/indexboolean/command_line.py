@@ -20,6 +20,7 @@ from rich.progress import BarColumn, Progress, TaskProgressColumn, TextColumn, T
 from .batch_command import run_batch_command
 from .boolean_job import BLOCKS, DEFAULT_BLOCKS, FORMATS, run_boolean_job
 from .curves_job import LOOP_KINDS, run_curves_job
+from .distance_job import SIDES, STATISTICS, run_distance_job
 from .evaluate_job import run_evaluate_job
 from .expression_text import check_operand_name
 from .job import Job, JobError, LayersJob
@@ -55,6 +56,7 @@ def _parser():
     _add_curves(commands)
     _add_evaluate(commands)
     _add_resolve(commands)
+    _add_distance(commands)
     _add_batch(commands)
     return parser
 
@@ -232,6 +234,37 @@ def _add_resolve(commands):
     _add_block_options(command)
 
 
+def _add_distance(commands):
+    command = _add_pair_command(
+        commands, "distance", _run_distance,
+        "the signed distances of two meshes from each other",
+        "Measures the distances of the vertices and face centres of each mesh from the other, "
+        "negative inside, and writes first.ply and second.ply, with the properties distance, "
+        "direction_x, _y, _z, closest_x, _y, _z and closest_face of vertices and faces, and "
+        "result.json with minimum, maximum, mean, root mean square and the Hausdorff distance. A "
+        "may be a cloud of points.",
+    )
+    command.add_argument(
+        "--plot", action="store_true",
+        help="distance.png, both meshes in colours, and histogram.png; needs indexboolean[plot]",
+    )
+    _add_filter_option(
+        command, "signed", "--unsigned", action="store_false",
+        help="distances without sign, to all faces as they are",
+    )
+    _add_filter_option(
+        command, "negate", "--negate", action="store_true", help="positive inside",
+    )
+    _add_filter_option(
+        command, "both_ways", "--one-way", action="store_false",
+        help="the distances of A from B only",
+    )
+    _add_filter_option(
+        command, "max_distance", "--max-distance", type=_length, default=0.0, metavar="LENGTH",
+        help="do not measure what is farther away: its distance is no number, and it is counted",
+    )
+
+
 def _add_batch(commands):
     command = _add_command(
         commands, "batch", run_batch_command,
@@ -245,7 +278,8 @@ def _add_batch(commands):
     command.add_argument(
         "table", type=pathlib.Path, metavar="JOBS.csv",
         help="columns first, second (mesh files, relative to the table) and, where wanted, name, "
-        "first_transform, second_transform (12 or 16 numbers, row by row), blocks",
+        "first_transform, second_transform (12 or 16 numbers, row by row), blocks, job (boolean, "
+        "or distance: what the command distance does)",
     )
     _add_boolean_options(command)
     command.add_argument(
@@ -264,6 +298,13 @@ def _add_batch(commands):
         "tcp://host:8786; needs indexboolean[dask], and files that its workers see by the same "
         "paths",
     )
+
+
+def _length(text):
+    length = float(text)
+    if not 0 <= length < float("inf"):
+        raise argparse.ArgumentTypeError(f"{text} is no length")
+    return length
 
 
 def _count(text):
@@ -397,6 +438,13 @@ def _run_resolve(options):
     )
 
 
+def _run_distance(options):
+    def run(job, **parameters):
+        return run_distance_job(job, options.plot, **parameters)
+
+    return _run_job(options, run, _print_distances)
+
+
 def _run_job(options, run, print_result, new_job=None):
     """Calls run(job, **parameters), prints what it logs and its result; returns the exit status.
 
@@ -486,3 +534,18 @@ def _print_curves(result):
         lengths = result["loop_lengths"][result["loop_kinds"] == number]
         table.add_row(kind, str(len(lengths)), f"{lengths.sum():.9g}")
     _print_table(table, result)
+
+
+def _print_distances(result):
+    table = new_table("distances of", *STATISTICS)
+    for side in SIDES:
+        if f"min_{side}" in result:
+            table.add_row(side, *(f"{result[f'{name}_{side}']:.9g}" for name in STATISTICS))
+    console = Console(soft_wrap=True, highlight=False)
+    console.print(table)
+    if "hausdorff" in result:
+        console.print(f"Hausdorff distance of the points measured: {result['hausdorff']:.9g}")
+    console.print(
+        f"{result['seconds_build']:.3f} seconds for the trees, {result['seconds_query']:.3f} for "
+        "the distances"
+    )

@@ -9,7 +9,7 @@ import numpy as np
 
 from .host_call import host_call
 from .plugin import load_plugin
-from .ply_file import write_ply
+from .ply_file import write_ply, write_ply_columns
 
 
 class JobError(Exception):
@@ -86,6 +86,32 @@ class LayersJob:
             {number: mesh.face_custom_scalar_attribute_array(number) for number in numbers},
         )
 
+    def save_with_distances(self, layer, name, columns_of):
+        """Writes the layer, with its matrix applied, as a PLY file.
+
+        columns_of(mesh) gives {name: numbers} of its vertices, and the same of its faces.
+        """
+        mesh = self.meshes.mesh(layer)
+        self._on_progress(f"writing {name}", 100)
+        write_ply_columns(
+            self._folder / name, mesh.transformed_vertex_matrix(), mesh.face_matrix(),
+            *columns_of(mesh),
+        )
+
+    def mesh_of(self, layer):
+        """The layer of that id."""
+        return self.meshes.mesh(layer)
+
+    @property
+    def operands(self):
+        """The ids of both operands' layers."""
+        return tuple(self._operands)
+
+    @property
+    def folder(self):
+        """Where files go."""
+        return self._folder
+
     def write_record(self, files, record):
         """Writes folder/result.json: the operands' files, those written, and the record."""
         record = {**self._operands_record(), "files": files, **record}
@@ -142,7 +168,8 @@ def _refusal(sentence):
 def _json_value(value):
     """The value with lists for arrays.
 
-    JSON has no infinities: a volume beyond the range of double is the string "inf" or "-inf".
+    JSON has no infinities: a volume beyond the range of double is the string "inf" or "-inf", and
+    what is no number, such as the mean of no values, "nan".
     """
     if isinstance(value, dict):
         return {key: _json_value(item) for key, item in value.items()}

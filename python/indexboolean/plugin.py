@@ -11,6 +11,7 @@ _HOST_VERSION = "2025.7"
 _FILTERS = (
     "generate_index_boolean", "generate_index_boolean_split", "generate_index_boolean_curves",
     "generate_index_boolean_expression", "generate_index_boolean_resolve",
+    "compute_index_boolean_distance", "compute_index_boolean_implicit",
 )
 
 

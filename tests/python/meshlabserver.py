@@ -29,14 +29,17 @@ def install(prefix):
     return Path(prefix) / "bin/meshlabserver"
 
 
-def run(program, files, script, saved=()):
-    """Loads files, applies the script, saves layers; saved: pairs of a layer's place and a path."""
+def run(program, files, script, saved=(), mask=()):
+    """Loads files, applies the script, saves layers; saved: pairs of a layer's place and a path.
+
+    mask: what is saved besides, as vq and fq for qualities.
+    """
     command = ["xvfb-run", "-a", "-s", "-screen 0 1280x1024x24", program]
     for file in files:
         command += ["-i", file]
     command += ["-s", script]
     for layer, path in saved:
-        command += ["-o", path, "-l", layer]
+        command += ["-o", path, "-l", layer, *(["-m", *mask] if mask else [])]
     return subprocess.run(
         [str(word) for word in command], capture_output=True, text=True, timeout=120,
         env={**os.environ, "LC_ALL": "C.UTF-8"},

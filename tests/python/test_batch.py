@@ -78,6 +78,31 @@ def test_transformsNamesBlocksAndRelativePaths(tmp_path):
     assert (tmp_path / "out/0001/intersection.off").is_file()
 
 
+def test_rowsMayBeDistances(tmp_path):
+    saved(tmp_path / "a.ply", box((0, 0, 0), (1, 1, 1)))
+    saved(tmp_path / "b.ply", box((3, 0, 0), (4, 1, 1)))
+    rows = [
+        ("a.ply", "b.ply", "far", "distance", "", ""),
+        ("a.ply", "b.ply", "moved", "distance", "1 0 0 1  0 1 0 0  0 0 1 0", ""),
+        ("a.ply", "b.ply", "apart", "", "", "union"),
+    ]
+    columns = ("first", "second", "name", "job", "first_transform", "blocks")
+    done = run(write_table(tmp_path / "jobs.csv", rows, columns), tmp_path / "out")
+    assert done.returncode == 0, done.stderr
+    found = results(tmp_path / "out")
+    assert [found[name]["hausdorff"] for name in ("far", "moved", "apart")] == ["3.0", "2.0", ""]
+    assert found["far"]["min_first"] == "2.0" and found["far"]["beyond_second"] == "0"
+    assert not found["far"]["union_volume"] and found["apart"]["union_volume"] == "2.0"
+    names = {path.name for path in (tmp_path / "out/far").iterdir()}
+    assert names == {"first.ply", "second.ply", "result.json", "job.json"}
+    again = run(tmp_path / "jobs.csv", tmp_path / "out")
+    assert "3 of 3 jobs are finished already" in again.stderr
+    for job, blocks, sentence in (("dance", "", "no job"), ("distance", "union", "no blocks")):
+        write_table(tmp_path / "wrong.csv", [("a.ply", "b.ply", "x", job, "", blocks)], columns)
+        refused = run(tmp_path / "wrong.csv", tmp_path / "out")
+        assert refused.returncode == 1 and sentence in refused.stderr
+
+
 def test_secondRunDoesWhatHasChangedAndNothingElse(tmp_path):
     for name, path in zip(("a", "b"), PAIR):
         shutil.copy(path, tmp_path / f"{name}.ply")

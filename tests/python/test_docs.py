@@ -107,7 +107,8 @@ def test_threeLinksLeadToWhereAFacesTriangulationIsDecidedAndToItsRule():
     page = (ROOT / "docs/architecture.md").read_text()
     row = re.search(r"^\| where is a face's triangulation decided\? .*$", page, re.M)[0]
     assert "base to arrange" in row
-    assert "base < exact < mesh < arrange < carry < parts < solids < index_boolean" in page
+    wings = "base < exact < mesh < arrange < carry < parts < solids < distance < index_boolean"
+    assert wings in page
 
 
 def glossary():

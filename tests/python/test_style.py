@@ -85,7 +85,7 @@ def test_aFunctionWithinTheLimitsIsLeftInPeace(within):
 
 # Each wing may include itself and those before it.
 WINGS = {
-    "vcg_ext": ("base", "exact", "mesh", "arrange", "carry", "parts", "solids", ""),
+    "vcg_ext": ("base", "exact", "mesh", "arrange", "carry", "parts", "solids", "distance", ""),
     "filter_indexboolean": ("runs", "texts", "layers", "attributes", "filters", "hosts"),
 }
 

@@ -6,6 +6,7 @@
 // Source: Morton 1966; Lauterbach et al. 2009 (boxes of boxes over sorted codes).
 #include "vcg_ext/arrange/face_order.h"
 
+#include "vcg_ext/base/morton.h"
 #include "vcg_ext/base/parallel.h"
 
 #include <algorithm>
@@ -17,14 +18,6 @@ namespace index_boolean {
 namespace {
 
 constexpr std::size_t kGrain = 1 << 14;
-
-// Moves each of the low 10 bits of a number to three times its place.
-std::uint32_t spread(std::uint32_t x) {
-	x = (x | x << 16U) & 0x030000ffU;
-	x = (x | x << 8U) & 0x0300f00fU;
-	x = (x | x << 4U) & 0x030c30c3U;
-	return (x | x << 2U) & 0x09249249U;
-}
 
 // The codes of the middles of eight faces' boxes, with 2^bits cells along each axis of the frame.
 void findCodes(const EightFaces& eight, unsigned bits, std::array<std::uint32_t, 8>& out) {
@@ -39,7 +32,7 @@ void findCodes(const EightFaces& eight, unsigned bits, std::array<std::uint32_t,
 			const float twiceTheMiddle = (c < lo ? c : lo) + (c > hi ? c : hi);
 			const float cell = (twiceTheMiddle + 2) * cells;
 			const auto whole = static_cast<std::int32_t>(cell < last ? cell : last);
-			out[i] |= spread(static_cast<std::uint32_t>(whole)) << axis;
+			out[i] |= spreadBits(static_cast<std::uint32_t>(whole)) << axis;
 		}
 	}
 }

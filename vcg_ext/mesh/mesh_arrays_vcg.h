@@ -11,6 +11,7 @@
 #include "vcg_ext/base/huge_pages.h"
 #include "vcg_ext/base/parallel.h"
 #include "vcg_ext/exact/bounding_box.h"
+#include "vcg_ext/exact/unit_scale.h"
 #include "vcg_ext/mesh/element_counts.h"
 #include "vcg_ext/mesh/mesh_arrays.h"
 
@@ -202,17 +203,6 @@ appendOperand(const TriMesh& mesh, const vcg::Matrix44<typename TriMesh::ScalarT
 }
 
 using IndexedEdge = std::array<std::uint32_t, 2>;
-
-// A power of two that brings the largest coordinate in a box near 1, so that products of
-// coordinates neither overflow nor vanish; 1 if there is no coordinate but zero.
-inline double unitScale(const BoundingBox& box) {
-	double largest = 0;
-	for (std::size_t axis = 0; axis < 3; ++axis) {
-		largest = std::max({largest, std::abs(box.lo[axis]), std::abs(box.hi[axis])});
-	}
-	constexpr int kSmallestExponent = -1022;  // beyond, the scale itself would overflow
-	return largest > 0 ? std::ldexp(1.0, -std::max(std::ilogb(largest), kSmallestExponent)) : 1.0;
-}
 
 // The cross product of a triangle's edges after scaling: along the face's normal.
 inline Point scaledNormal(const Points& points, const IndexTriangle& triangle, double scale) {

@@ -13,6 +13,8 @@
 //    p1, p2.
 #include "vcg_ext/parts/axis_lines.h"
 
+#include <cmath>
+
 namespace index_boolean {
 
 namespace {
@@ -37,6 +39,18 @@ int sideOfEdge(const ExactPoint& a, const ExactPoint& b, const AxisLine& line) {
 }
 
 }  // namespace
+
+AxisLine lineFrom(const Point& place, int axis, std::array<Point, 2>& moved) {
+	moved = {place, place};
+	const std::array<int, 2> others{nextCorner(axis), previousCorner(axis)};
+	for (std::size_t i = 0; i < 2; ++i) {
+		double& coordinate = moved[i][static_cast<std::size_t>(others[i])];
+		coordinate = std::nextafter(coordinate, coordinate > 0 ? -HUGE_VAL : HUGE_VAL);
+	}
+	return {axis,
+	        {ExactPoint::explicitPoint(place), ExactPoint::explicitPoint(moved[0]),
+	         ExactPoint::explicitPoint(moved[1])}};
+}
 
 int meets(const std::array<ExactPoint, 3>& corners, const AxisLine& line) {
 	const int side = sideOfEdge(corners[0], corners[1], line);

@@ -23,6 +23,11 @@ struct AxisLine {
 	std::array<ExactPoint, 3> near;
 };
 
+// A line upwards along an axis from a place, which is moved along the two other axes.
+// \param moved written: two places beside it, which the line borrows as it does the first
+// Complexity: O(1).
+AxisLine lineFrom(const Point& place, int axis, std::array<Point, 2>& moved);
+
 // The three corners of an input face, which stand for its plane.
 using PlaneCorners = std::array<const Point*, 3>;
 

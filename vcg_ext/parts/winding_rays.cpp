@@ -10,7 +10,6 @@
 
 #include <algorithm>
 #include <atomic>
-#include <cmath>
 
 namespace index_boolean {
 
@@ -67,9 +66,9 @@ private:
 	const MeshArrays& mesh_;
 	const Ignored& ignored_;
 	std::vector<WindingQuery>& queries_;
-	std::vector<int> axes_;        // per query
-	Points moved_;                 // where vertices' lines are moved to
-	std::vector<AxisLine> lines_;  // per query
+	std::vector<int> axes_;                    // per query
+	std::vector<std::array<Point, 2>> moved_;  // where vertices' lines are moved to
+	std::vector<AxisLine> lines_;              // per query
 	std::array<LineField, 3> fields_;
 	std::array<std::vector<std::uint32_t>, 3> queriesOf_;  // per line of each field
 	std::vector<Count> counts_;
@@ -77,7 +76,7 @@ private:
 
 void Rays::drawLines() {
 	std::array<Points, 3> begins;
-	moved_.reserve(2 * queries_.size());  // the lines borrow them
+	moved_.reserve(queries_.size());  // the lines borrow them
 	lines_.reserve(queries_.size());
 	for (std::size_t q = 0; q < queries_.size(); ++q) {
 		const auto axis = static_cast<std::size_t>(axes_[q]);
@@ -154,13 +153,8 @@ void Rays::addLine(const WindingQuery& query, int axis) {
 		lines_.push_back({axis, query.inside});
 		return;
 	}
-	const Point& vertex = at(mesh_.points, query.from);
-	for (const int other : {nextCorner(axis), previousCorner(axis)}) {
-		moved_.push_back(vertex);
-		double& coordinate = moved_.back()[static_cast<std::size_t>(other)];
-		coordinate = std::nextafter(coordinate, coordinate > 0 ? -HUGE_VAL : HUGE_VAL);
-	}
-	lines_.push_back({axis, cornersOf({&vertex, &moved_[moved_.size() - 2], &moved_.back()})});
+	moved_.emplace_back();
+	lines_.push_back(lineFrom(at(mesh_.points, query.from), axis, moved_.back()));
 }
 
 void Rays::take(FaceId face, const PlaneCorners& plane, std::uint32_t query) {

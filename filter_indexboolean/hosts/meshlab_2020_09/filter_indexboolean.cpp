@@ -37,6 +37,12 @@ QStringList choicesOf(const ParameterDefinition& definition) {
 	return choices;
 }
 
+// What a percentage is of. Never 0: the host divides by it.
+Scalarm diagonalOf(MeshDocument& document) {
+	const Scalarm diagonal = document.bbox().IsNull() ? 0 : document.bbox().Diag();
+	return diagonal > 0 ? diagonal : 1;
+}
+
 void addParameter(const ParameterDefinition& definition, MeshDocument& document,
                   RichParameterList& list) {
 	switch (definition.kind) {
@@ -58,6 +64,10 @@ void addParameter(const ParameterDefinition& definition, MeshDocument& document,
 	case ParameterKind::Text:
 		list.addParam(
 		    RichString(definition.name, definition.defaultText, definition.label, definition.help));
+		break;
+	case ParameterKind::Length:
+		list.addParam(RichAbsPerc(definition.name, float(definition.defaultValue), 0,
+		                          diagonalOf(document), definition.label, definition.help));
 		break;
 	}
 }
@@ -90,17 +100,24 @@ QString FilterIndexBoolean::filterScriptFunctionName(FilterIDType filter) {
 	return definitionOf(filter).pythonName;
 }
 
-MeshFilterInterface::FilterClass FilterIndexBoolean::getClass(QAction*) {
-	return static_cast<FilterClass>(MeshFilterInterface::Layer | MeshFilterInterface::Remeshing);
+MeshFilterInterface::FilterClass FilterIndexBoolean::getClass(QAction* action) {
+	return definitionOf(ID(action)).isMeasure
+	           ? MeshFilterInterface::Measure
+	           : static_cast<FilterClass>(MeshFilterInterface::Layer |
+	                                      MeshFilterInterface::Remeshing);
 }
 
 MeshFilterInterface::FILTER_ARITY FilterIndexBoolean::filterArity(QAction*) const {
 	return MeshFilterInterface::FIXED;
 }
 
-// Of the layers that were there, only the selection may change.
-int FilterIndexBoolean::postCondition(QAction*) const {
-	return MeshModel::MM_VERTFLAGSELECT | MeshModel::MM_FACEFLAGSELECT;
+// Of the layers that were there, only the selection may change, or what is measured.
+int FilterIndexBoolean::postCondition(QAction* action) const {
+	constexpr int kSelection = MeshModel::MM_VERTFLAGSELECT | MeshModel::MM_FACEFLAGSELECT;
+	constexpr int kMeasured = MeshModel::MM_VERTQUALITY | MeshModel::MM_FACEQUALITY |
+	                          MeshModel::MM_VERTCOLOR | MeshModel::MM_FACECOLOR |
+	                          MeshModel::MM_VERTNORMAL;
+	return definitionOf(ID(action)).isMeasure ? kSelection | kMeasured : kSelection;
 }
 
 void FilterIndexBoolean::initParameterSet(QAction* action, MeshDocument& document,

@@ -37,6 +37,12 @@ QStringList choicesOf(const ParameterDefinition& definition) {
 	return choices;
 }
 
+// What a percentage is of. Never 0: the host divides by it.
+Scalarm diagonalOf(const MeshDocument& document) {
+	const Scalarm diagonal = document.bbox().IsNull() ? 0 : document.bbox().Diag();
+	return diagonal > 0 ? diagonal : 1;
+}
+
 void addParameter(const ParameterDefinition& definition, const MeshDocument& document,
                   RichParameterList& list) {
 	switch (definition.kind) {
@@ -59,6 +65,11 @@ void addParameter(const ParameterDefinition& definition, const MeshDocument& doc
 	case ParameterKind::Text:
 		list.addParam(RichString(definition.name, definition.defaultText, definition.label,
 		                         definition.help, definition.advanced));
+		break;
+	case ParameterKind::Length:
+		list.addParam(RichPercentage(definition.name, Scalarm(definition.defaultValue), 0,
+		                             diagonalOf(document), definition.label, definition.help,
+		                             definition.advanced));
 		break;
 	}
 }
@@ -92,8 +103,10 @@ QString FilterIndexBoolean::filterInfo(ActionIDType filter) const {
 	return QString::fromStdString(definitionOf(filter).help);
 }
 
-FilterPlugin::FilterClass FilterIndexBoolean::getClass(const QAction*) const {
-	return static_cast<FilterClass>(FilterPlugin::Layer | FilterPlugin::Remeshing);
+FilterPlugin::FilterClass FilterIndexBoolean::getClass(const QAction* action) const {
+	return definitionOf(ID(action)).isMeasure
+	           ? FilterPlugin::Measure
+	           : static_cast<FilterClass>(FilterPlugin::Layer | FilterPlugin::Remeshing);
 }
 
 FilterPlugin::FilterArity FilterIndexBoolean::filterArity(const QAction*) const {
@@ -103,9 +116,13 @@ FilterPlugin::FilterArity FilterIndexBoolean::filterArity(const QAction*) const 
 // The operands are parameters, so nothing is asked of the current layer.
 int FilterIndexBoolean::getPreConditions(const QAction*) const { return MeshModel::MM_NONE; }
 
-// Of the layers that were there, only the selection may change.
-int FilterIndexBoolean::postCondition(const QAction*) const {
-	return MeshModel::MM_VERTFLAGSELECT | MeshModel::MM_FACEFLAGSELECT;
+// Of the layers that were there, only the selection may change, or what is measured.
+int FilterIndexBoolean::postCondition(const QAction* action) const {
+	constexpr int kSelection = MeshModel::MM_VERTFLAGSELECT | MeshModel::MM_FACEFLAGSELECT;
+	constexpr int kMeasured = MeshModel::MM_VERTQUALITY | MeshModel::MM_FACEQUALITY |
+	                          MeshModel::MM_VERTCOLOR | MeshModel::MM_FACECOLOR |
+	                          MeshModel::MM_VERTNORMAL;
+	return definitionOf(ID(action)).isMeasure ? kSelection | kMeasured : kSelection;
 }
 
 RichParameterList FilterIndexBoolean::initParameterList(const QAction* action,

@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: 2026 The Index Boolean authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// in: a face with area; out: its unit normal, as good for a needle or a cap as for any other face:
+// what it says of the distance from a plane is wrong by a few units in the last place only.
+#pragma once
+
+#include "vcg_ext/base/point.h"
+
+namespace index_boolean {
+
+// Vectors: a - b, the scalar product, the cross product, and a vector times a number.
+inline Point minus(const Point& a, const Point& b) {
+	return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
+}
+inline double dot(const Point& a, const Point& b) {
+	return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+inline Point cross(const Point& a, const Point& b) {
+	return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+inline Point times(const Point& a, double factor) {
+	return {a[0] * factor, a[1] * factor, a[2] * factor};
+}
+
+// A vector of length 1; zero if the given one is, or is not finite. Any magnitude. Complexity:
+// O(1).
+Point unitVector(const Point& v);
+
+// (b-a)x(c-a), of length 1: each coordinate within 38 * 2^-53 of the exact one. Depends on which
+// corner is the first, in the last bits only. \pre finite, with area Complexity: O(1): some 50
+// flops unless the angle at a is near 0 or 180 degrees.
+Point unitNormal(const Point& a, const Point& b, const Point& c);
+
+}  // namespace index_boolean
