@@ -25,7 +25,7 @@ from conftest import sphere  # noqa: E402
 
 COLOURS = np.array([(0.30, 0.54, 0.78), (0.96, 0.64, 0.24), (0.45, 0.70, 0.35), (0.80, 0.38, 0.42)])
 STATEMENTS = ("union(all)", "at_least(2, all)", "difference(0, all)", "union(1, 2) - 0")
-VIEW = ((0.75, -1.0, 0.7), (0, 0, 1), 0, 1.6)
+VIEW = ((0.75, -1.0, 0.7), (0, 0, 1), 0, 1.35)
 
 
 def layers():

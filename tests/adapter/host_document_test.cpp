@@ -4,6 +4,7 @@
 // The filter in a host's document, in situations that pymeshlab does not let Python make: a
 // callback that answers false, layers with deleted elements. Runs on pymeshlab's own libraries.
 #include <filter_indexboolean.h>
+#include <layers/layers.h>
 #include <texts/filter_definitions.h>
 
 #include <vcg_ext/mesh/mesh_arrays_vcg.h>
@@ -49,6 +50,7 @@ std::vector<int> stateOf(const MeshDocument& document) {
 		state.push_back(layer.id());
 		state.push_back(layer.cm.vn);
 		state.push_back(layer.cm.fn);
+		state.push_back(layer.isVisible() ? 1 : 0);
 		for (const CFaceO& face : layer.cm.face) {
 			state.push_back(face.IsS() ? 1 : 0);
 		}
@@ -109,6 +111,26 @@ TEST_F(HostDocument, cancellingTheSplitAtAnyCallThrowsAndChangesNothing) {
 TEST_F(HostDocument, cancellingTheCurvesAtAnyCallThrowsAndChangesNothing) {
 	expectCancellingChangesNothing(FilterId::GenerateIndexBooleanCurves);
 	EXPECT_EQ(document.meshNumber(), 3u);
+}
+
+TEST_F(HostDocument, cancellingAnExpressionAtAnyCallThrowsAndChangesNothing) {
+	expectCancellingChangesNothing(FilterId::GenerateIndexBooleanExpression);
+	EXPECT_EQ(document.meshNumber(), 3u);
+}
+
+TEST_F(HostDocument, cancellingResolveAtAnyCallThrowsAndChangesNothing) {
+	expectCancellingChangesNothing(FilterId::GenerateIndexBooleanResolve);
+	EXPECT_EQ(document.meshNumber(), 3u);
+}
+
+TEST_F(HostDocument, newLayersBearTheMarkOfAResult) {
+	run(0);
+	for (const MeshModel& layer : document.meshIterator()) {
+		EXPECT_EQ(isResultLayer(layer), layer.id() >= 2);
+	}
+	run(0, FilterId::GenerateIndexBooleanExpression);  // of what is visible
+	EXPECT_EQ(document.meshNumber(), 7u);
+	EXPECT_EQ(document.mm()->label(), QString("union(visible)"));
 }
 
 TEST_F(HostDocument, deletedElementsAreLeftOut) {

@@ -13,6 +13,8 @@ import pytest
 import judges
 import mesh_laws
 from conftest import box, crossing_bars, document, joined, sphere
+from test_attributes import texture_numbers
+from textured_pair import write_picture
 
 KEYS = (
     "layer", "volume", "area", "faces", "components", "closed", "self_intersections",
@@ -461,6 +463,24 @@ class TestParameters:
         shared = evaluate(mesh_set, "0 | 1")["result_0_layer"]
         counts = [mesh_set.mesh(int(layer)).vertex_number() for layer in (parted, shared)]
         assert counts[0] > counts[1]
+
+    def test_texturesOfAllLayersAreInOneResult(self, tmp_path):
+        mesh_set = pymeshlab.MeshSet()
+        for k, mesh in enumerate(ROW):
+            picture = tmp_path / f"skin_{k}.png"
+            write_picture(np.full((8, 8, 3), 60.0 * k), picture)
+            corners = np.tile([(0.0, 0.0), (1.0, 0.0), (0.0, 1.0)], (len(mesh[1]), 1))
+            mesh_set.add_mesh(pymeshlab.Mesh(*mesh, w_tex_coords_matrix=corners), f"box {k}")
+            mesh_set.set_texture_per_mesh(textname=str(picture))
+        result = evaluate(mesh_set, "2 | 1 | 0")
+        mesh = mesh_set.mesh(int(result["result_0_layer"]))
+        source = mesh.face_custom_scalar_attribute_array("source_mesh").astype(int)
+        mesh_set.save_current_mesh(str(tmp_path / "union.ply"))
+        header = (tmp_path / "union.ply").read_bytes().split(b"end_header")[0].decode()
+        names = re.findall(r"comment TextureFile (\S+)", header)
+        numbers = texture_numbers(tmp_path / "union.ply")
+        assert sorted(names) == ["skin_0.png", "skin_1.png", "skin_2.png"]
+        assert [names[n] for n in numbers] == [f"skin_{2 - k}.png" for k in source]
 
     @pytest.mark.parametrize("name, wrong", [("octree_max_depth", 77), ("octree_leaf_size", 2000)])
     def test_octree(self, name, wrong):
