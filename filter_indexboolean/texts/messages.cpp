@@ -340,14 +340,6 @@ std::string openSolidMessage(const Status& status, const LayerNames& layers) {
 	       "The layer that is clipped may be open, and without a clip both may.";
 }
 
-std::string operandNumbersMessage(const LayerNames& layers) {
-	std::vector<std::string> names;
-	for (const OperandId operand : layers.operands()) {
-		names.push_back(std::to_string(operand.value) + " is " + quoted(layers[operand]));
-	}
-	return "Numbers of the layers: " + listed(names, " and ") + ".";
-}
-
 std::string subSurfacesMessage(const SplitResult& result, OperandId operand,
                                const SplitNames& names) {
 	std::size_t shared = 0, oneSided = 0, separating = 0;

@@ -91,9 +91,6 @@ std::string clipOutOfListMessage(const ParameterDefinition& clip, const LayerNam
 // Why the run was refused: an operand is not closed, but is to clip another one.
 std::string openSolidMessage(const Status& status, const LayerNames& layers);
 
-// Which number each operand of a list has.
-std::string operandNumbersMessage(const LayerNames& layers);
-
 // How many pieces there are and of which kinds.
 std::string subSurfacesMessage(const SplitResult& result, OperandId operand,
                                const SplitNames& names);

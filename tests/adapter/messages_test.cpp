@@ -199,11 +199,6 @@ TEST(Messages, anOpenLayerThatIsToClipIsToldHowToBeClosed) {
 	EXPECT_FALSE(contains(message, "generate_index_boolean_split"));
 }
 
-TEST(Messages, theNumbersOfAListAreTold) {
-	EXPECT_EQ(operandNumbersMessage(kLayers),
-	          "Numbers of the layers: 0 is \"bunny.ply\" (id 3) and 1 is \"50% cube\" (id 7).");
-}
-
 TEST(FilterDefinitions, piecesAreParametersOfTheSplit) {
 	SplitNames names;
 	names.layers = named("A.ply", "B");

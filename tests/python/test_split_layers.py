@@ -396,7 +396,7 @@ class TestSwitches:
 
     def test_theLogSaysWhichNumberEachLayerHas(self):
         log = log_of("document(FIRST, SECOND)", "generate_index_boolean_split", 'layers="1,0"')
-        assert 'Numbers of the layers: 0 is "B" (id 1) and 1 is "A" (id 0).' in log
+        assert 'by their numbers in source_mesh: 0 is "B" (id 1), 1 is "A" (id 0).' in log
 
     def test_anyLayerOfTheListIsNamedWhereItIsRefused(self):
         crossing = joined(SHEETS[0], SHEETS[1])
