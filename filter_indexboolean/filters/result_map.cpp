@@ -21,8 +21,10 @@ std::string keyOf(std::string stage) {
 	return stage;
 }
 
-void addBlock(const Block& block, const BlockMeasure& measure, const PlaceRepair& repair,
-              int layerId, ResultMap& map) {
+void addBlock(const BooleanResult& result, std::size_t i, int layerId, ResultMap& map) {
+	const Block& block = result.blocks[i];
+	const BlockMeasure& measure = result.audit.blocks[i];
+	const PlaceRepair& repair = result.report.placeRepair;
 	const std::string name = operationName(block.operation);
 	map[name + "_layer"] = layerId;
 	map[name + "_volume"] = measure.volume;
@@ -30,6 +32,7 @@ void addBlock(const Block& block, const BlockMeasure& measure, const PlaceRepair
 	map[name + "_faces"] = toInt(block.triangles.size());
 	map[name + "_components"] = toInt(measure.components);
 	map[name + "_closed"] = measure.closed;
+	map[name + "_open_edges"] = toInt(result.openEdges[i]);
 	map[name + "_self_intersections"] = static_cast<int>(block.certificate.count());
 	if (block.certificate.isKnown) {
 		map[name + "_repair_rounds"] = toInt(repair.rounds);
@@ -148,6 +151,8 @@ void addReport(const RunReport& report, const AdapterSeconds& adapter, ResultMap
 	map["self_intersecting_faces_first"] = toInt(report.selfIntersecting[kFirst]);
 	map["self_intersecting_faces_second"] = toInt(report.selfIntersecting[kSecond]);
 	map["labelled_by_cells"] = report.isLabelledByCells;
+	map["welded_vertices"] = toInt(report.vertexWeld.moved);
+	map["largest_weld"] = report.vertexWeld.largestMove;
 	map["loops_open"] = toInt(report.loopCounts.open);
 	map["loops_hard_closed"] = toInt(report.loopCounts.hardClosed);
 	map["loops_soft_closed"] = toInt(report.loopCounts.softClosed);
@@ -166,8 +171,7 @@ ResultMap resultMap(const BooleanResult& result, const std::vector<int>& layerId
                     const AdapterSeconds& seconds) {
 	ResultMap map;
 	for (std::size_t i = 0; i < result.blocks.size(); ++i) {
-		addBlock(result.blocks[i], result.audit.blocks[i], result.report.placeRepair, layerIds[i],
-		         map);
+		addBlock(result, i, layerIds[i], map);
 	}
 	map["volume_law_residual"] = result.audit.volumeLawResidual;
 	map["zero_area_faces_removed"] = toInt(zeroAreaFacesRemoved(result.blocks));

@@ -4,6 +4,7 @@
 // Both layers are found and named before anything is read from them.
 #include "layers/operand_layers.h"
 
+#include <cmath>
 #include <utility>
 
 namespace index_boolean {
@@ -32,6 +33,7 @@ OperandLayers findOperandLayers(FilterId filter, const ParameterValues& values,
 	OperandLayers operands;
 	operands.layers = {findOperand(filter, "first_mesh", values, document),
 	                   findOperand(filter, "second_mesh", values, document)};
+	operands.kind = takenFor(filter);
 	operands.names = {nameOf(*operands.layers[kFirst]), nameOf(*operands.layers[kSecond])};
 	if (operands.layers[kFirst] == operands.layers[kSecond]) {
 		throw Refusal(sameLayerMessage(operands.names[kFirst]));
@@ -48,6 +50,14 @@ int numberInRange(FilterId filter, const char* name, const ParameterValues& valu
 	return number;
 }
 
+double lengthInRange(FilterId filter, const char* name, const ParameterValues& values) {
+	const double length = values.getLength(name);
+	if (!(length >= 0 && std::isfinite(length))) {
+		throw Refusal(badLengthMessage(parameterDefinition(filter, name), length));
+	}
+	return length;
+}
+
 Options readCommonOptions(FilterId filter, const ParameterValues& values) {
 	Options options;
 	options.octreeMaxDepth = numberInRange(filter, "octree_max_depth", values);
@@ -56,6 +66,7 @@ Options readCommonOptions(FilterId filter, const ParameterValues& values) {
 	    sizeof(Scalarm) == sizeof(float) ? OutputScalar::Float : OutputScalar::Double;
 	options.selfIntersections = static_cast<SelfIntersections>(values.getInt("self_intersections"));
 	options.windingRule = static_cast<WindingRule>(values.getInt("winding_rule"));
+	options.weldDistance = lengthInRange(filter, "weld_distance", values);
 	return options;
 }
 
@@ -79,7 +90,9 @@ void refuseDefect(const Status& status, const OperandArrays& read, const Operand
 	if (!status.faces.empty()) {
 		selectFaces(status.faces, read.elements[operand].faces, *operands.layers[operand]);
 	}
-	refuseUnlessOk(status, operands.names);
+	if (!status.ok()) {
+		throw Refusal(refusalMessage(status, operands.names, operands.kind));
+	}
 }
 
 InputAgain inputAgain(const OperandLayers& operands, const OperandArrays& read,

@@ -17,6 +17,7 @@ namespace index_boolean {
 struct OperandLayers {
 	PerOperand<MeshModel*> layers;
 	LayerNames names;
+	TakenFor kind = TakenFor::Solid;
 };
 
 // The two layers that the parameters name; throws Refusal unless there are two.
@@ -26,8 +27,11 @@ OperandLayers findOperandLayers(FilterId filter, const ParameterValues& values,
 // The parameter's number; throws Refusal if it is out of the range of its definition.
 int numberInRange(FilterId filter, const char* name, const ParameterValues& values);
 
-// The options that every filter has: the search for self-intersections and the octree's limits, and
-// the host's scalar.
+// The parameter's length; throws Refusal if it is negative or no number.
+double lengthInRange(FilterId filter, const char* name, const ParameterValues& values);
+
+// The options that every filter has: the search for self-intersections, the weld distance and the
+// octree's limits, and the host's scalar.
 Options readCommonOptions(FilterId filter, const ParameterValues& values);
 
 // These, and those that filters have that make surfaces: certificates, and the scalar for them.

@@ -43,6 +43,15 @@ void forgetCertificates(std::vector<Block>& blocks) {
 	}
 }
 
+Status countAllOpenEdges(int threads, Monitor& monitor, BooleanResult& result) {
+	Status status;
+	result.openEdges.resize(result.blocks.size());
+	for (std::size_t i = 0; i < result.blocks.size() && status.ok(); ++i) {
+		status = countOpenEdges(result.blocks[i], threads, monitor, result.openEdges[i]);
+	}
+	return status;
+}
+
 }  // namespace
 
 Status runBoolean(MeshArrays input, const InputAgain& again, const BooleanRequest& request,
@@ -86,8 +95,9 @@ Status runBoolean(MeshArrays input, const InputAgain& again, const BooleanReques
 		return status;
 	}
 	result.report.addStage("attributes", sourcesTime);
+	status = countAllOpenEdges(arrangement.options.threads, finding, result);
 
-	if (request.curves) {
+	if (status.ok() && request.curves) {
 		Monitor drawing = progress.nextPhase(kCurvesShare);
 		status = extractCurve(arrangement, drawing, result.curves);
 	}

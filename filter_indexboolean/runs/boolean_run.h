@@ -27,6 +27,7 @@ struct BooleanResult {
 	std::vector<Block> blocks;              // one for each operation requested
 	Audit audit;                            // of these blocks
 	std::vector<AttributeSources> sources;  // of each block, if wanted
+	std::vector<std::size_t> openEdges;     // of each block, by index: at seams
 	CurveLines curves;                      // if requested
 };
 

@@ -15,12 +15,13 @@
 
 namespace index_boolean {
 
-enum class ParameterKind { Layer, Bool, Int, Choice };
+enum class ParameterKind { Layer, Bool, Int, Choice, Length };
 
 struct ParameterDefinition {
 	const char* name;
 	ParameterKind kind;
-	int defaultValue;  // Layer: the position in the document; Bool: 0 or 1; Choice: which of them
+	int defaultValue;  // Layer: the position in the document; Bool: 0 or 1; Choice: which of them;
+	                   // Length: 0
 	int minimum, maximum;  // Int: the values that are accepted
 	bool advanced;
 	const char* label;

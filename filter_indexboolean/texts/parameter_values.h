@@ -18,14 +18,18 @@ public:
 	static constexpr int kNoLayer = -1;
 
 	void set(const std::string& name, int value) { values_[name] = value; }
+	void setLength(const std::string& name, double length) { lengths_[name] = length; }
 
 	bool getBool(const std::string& name) const { return getInt(name) != 0; }
 
 	// The filter must have the parameter.
 	int getInt(const std::string& name) const { return values_.at(name); }
+	// The same; in the layers' unit, if it was given as a percentage, too.
+	double getLength(const std::string& name) const { return lengths_.at(name); }
 
 private:
 	std::map<std::string, int> values_;
+	std::map<std::string, double> lengths_;
 };
 
 // \param parameters any host's list of parameters
@@ -48,6 +52,9 @@ ParameterValues readValues(const FilterDefinition& filter, const HostParameters&
 			break;
 		case ParameterKind::Choice:
 			values.set(name, parameters.getEnum(name));
+			break;
+		case ParameterKind::Length:
+			values.setLength(name, static_cast<double>(parameters.getAbsPerc(name)));
 			break;
 		}
 	}

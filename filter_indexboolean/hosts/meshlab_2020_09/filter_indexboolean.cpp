@@ -35,6 +35,12 @@ QStringList choicesOf(const ParameterDefinition& definition) {
 	return choices;
 }
 
+// What a percentage is of. Never 0: the host divides by it.
+Scalarm diagonalOf(MeshDocument& document) {
+	const Scalarm diagonal = document.bbox().IsNull() ? 0 : document.bbox().Diag();
+	return diagonal > 0 ? diagonal : 1;
+}
+
 void addParameter(const ParameterDefinition& definition, MeshDocument& document,
                   RichParameterList& list) {
 	switch (definition.kind) {
@@ -52,6 +58,10 @@ void addParameter(const ParameterDefinition& definition, MeshDocument& document,
 	case ParameterKind::Choice:
 		list.addParam(RichEnum(definition.name, definition.defaultValue, choicesOf(definition),
 		                       definition.label, definition.help));
+		break;
+	case ParameterKind::Length:
+		list.addParam(RichAbsPerc(definition.name, float(definition.defaultValue), 0,
+		                          diagonalOf(document), definition.label, definition.help));
 		break;
 	}
 }

@@ -34,6 +34,12 @@ QStringList choicesOf(const ParameterDefinition& definition) {
 	return choices;
 }
 
+// What a percentage is of. Never 0: the host divides by it.
+Scalarm diagonalOf(const MeshDocument& document) {
+	const Scalarm diagonal = document.bbox().IsNull() ? 0 : document.bbox().Diag();
+	return diagonal > 0 ? diagonal : 1;
+}
+
 void addParameter(const ParameterDefinition& definition, const MeshDocument& document,
                   RichParameterList& list) {
 	switch (definition.kind) {
@@ -52,6 +58,11 @@ void addParameter(const ParameterDefinition& definition, const MeshDocument& doc
 	case ParameterKind::Choice:
 		list.addParam(RichEnum(definition.name, definition.defaultValue, choicesOf(definition),
 		                       definition.label, definition.help, definition.advanced));
+		break;
+	case ParameterKind::Length:
+		list.addParam(RichPercentage(definition.name, Scalarm(definition.defaultValue), 0,
+		                             diagonalOf(document), definition.label, definition.help,
+		                             definition.advanced));
 		break;
 	}
 }
