@@ -119,7 +119,7 @@ def _add_boolean_options(command):
     )
     command.add_argument(
         "--format", choices=FORMATS, default="ply",
-        help="of the blocks (default: ply, binary); what is read back has the bits that are certified",
+        help="of the blocks (default: ply, binary); what is read back has the bits certified",
     )
     _add_filter_option(
         command, "merge_fragments", "--no-merge-fragments", action="store_false",

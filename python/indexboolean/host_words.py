@@ -15,7 +15,7 @@ _WORDS = (
         lambda found: f"--{found[1].replace('_', '-')} {found[2]}",
     ),
     (r"\bweld_distance\b", "--weld-distance"),
-    (r'"([^"]*)" \((meshing_\w+)\)', r'MeshLab\'s "\1" (pymeshlab: \2)'),
+    (r'"([^"]*)" \((meshing_\w+)\)', r"""MeshLab's "\1" (pymeshlab: \2)"""),
 )
 
 

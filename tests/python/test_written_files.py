@@ -13,7 +13,8 @@ import pytest
 
 import judges
 import mesh_laws
-from conftest import document, sphere
+from conftest import crossing_bars, document, sphere
+from plain_solids import one_sided
 from refusal_cases import CUBE, cracked, without_faces
 from run_boolean import BLOCKS, run_boolean
 
@@ -102,24 +103,23 @@ def test_hostsWritersKeepWhatThePageSays(tmp_path, suffix):
     assert kept == (expected if expected in ("every bit", "single precision") else "less")
 
 
-@pytest.mark.parametrize("name", ["boolean", "split"])
-def test_refusalsHaveTheWordsOfTheCommandLine(tmp_path, name):
-    broken = FIRST[0].copy()
-    broken[7, 0] = np.nan
-    for mesh, wanted in (
-        (without_faces(CUBE, 3), {"boolean": "the command split cuts with it"}),
-        ((broken, FIRST[1]), {
-            "boolean": r"MeshLab's \"Delete Selected Faces and Vertices\" \(pymeshlab: meshing_",
-            "split": r"MeshLab's \"Delete Selected Faces and Vertices\" \(pymeshlab: meshing_",
-        }),
-    ):
-        files = saved(mesh, tmp_path / "a.ply"), saved(SECOND, tmp_path / "b.ply")
-        done = command(name, *files, "-o", tmp_path / "out")
-        if name not in wanted:
-            continue
-        assert done.returncode == 1, done.stderr
-        assert re.search(wanted[name], done.stderr), done.stderr
-        assert not re.search(r"are selected|_distance|generate_index", done.stderr), done.stderr
+@pytest.mark.parametrize("words, mesh, sentence", [
+    (["boolean"], without_faces(CUBE, 3),
+     r"MeshLab's \"Close Holes\" \(pymeshlab: meshing_close_holes\) .* the command split cuts"),
+    (["boolean"], one_sided(), "With --winding-rule odd it does not matter"),
+    (["boolean", "--self-intersections", "refuse"], crossing_bars(),
+     "With --self-intersections resolve the layer is taken for"),
+    (["split", "--self-intersections", "refuse"], crossing_bars(),
+     "With --self-intersections resolve the layer is cut by itself"),
+    (["curves", "--weld-distance", "0.3"], FIRST, "Choose a smaller --weld-distance"),
+], ids=["open", "oneSided", "crossing", "crossingInSplit", "tooWide"])
+def test_refusalsHaveTheWordsOfTheCommandLine(tmp_path, words, mesh, sentence):
+    files = saved(mesh, tmp_path / "a.ply"), saved(SECOND, tmp_path / "b.ply")
+    name, *options = words
+    done = command(name, *files, "-o", tmp_path / "out", *options)
+    assert done.returncode == 1, done.stderr
+    assert re.search(sentence, done.stderr), done.stderr
+    assert not re.search("selected|generate_index|winding_rule|self_inter|weld_dist", done.stderr)
 
 
 def test_theLengthThatIsNamedIsAnOptionAndHelps(tmp_path):
