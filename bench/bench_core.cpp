@@ -444,7 +444,7 @@ ordered_json describeBlocks(const Outcome& outcome) {
 ordered_json describeSigns() {
 	const std::array<const char*, kPredicateCount> predicates{
 	    "pair_sieve", "orient3d", "orient2d",   "curve_orient2d", "curve_order",
-	    "slopes",     "rounding", "axis_order", "in_circle"};
+	    "slopes",     "rounding", "axis_order", "in_circle",      "distance"};
 	const std::array<const char*, kDeciderCount> deciders{"double", "double_double", "integers",
 	                                                      "undecided"};
 	const SignCounts counts = takeSignCounts();

@@ -7,6 +7,7 @@
 #include "vcg_ext/arrange/coincident_faces.h"
 #include "vcg_ext/arrange/curve_points.h"
 #include "vcg_ext/arrange/cut_lines.h"
+#include "vcg_ext/arrange/duplicate_faces.h"
 #include "vcg_ext/arrange/equal_points.h"
 #include "vcg_ext/arrange/loops.h"
 #include "vcg_ext/arrange/octree_pairs.h"
@@ -25,6 +26,9 @@
 #include "vcg_ext/carry/certificates.h"
 #include "vcg_ext/carry/polygons.h"
 #include "vcg_ext/mesh/clean.h"
+#include "vcg_ext/mesh/closing_distance.h"
+#include "vcg_ext/mesh/near_vertices.h"
+#include "vcg_ext/mesh/unmatched_edges.h"
 #include "vcg_ext/solids/cell_labels.h"
 #include "vcg_ext/solids/delaunay_pieces.h"
 #include "vcg_ext/solids/kept_cuts.h"
@@ -259,6 +263,7 @@ Status arrangeRounded(Purpose purpose, MeshArrays operands, Monitor& monitor, Ar
 		options.selfIntersections = SelfIntersections::Refuse;
 	}
 	Arrangement rounded;
+	rounded.stageTimes.push_back({out.stageTimes.front().stage, 0});  // what comes before both
 	Stages stages(monitor, rounded.stageTimes, 1, 0);
 	arrangeOnce(purpose, std::move(operands), options, monitor, stages, rounded);
 	const StatusCode code = stages.status().code;
@@ -270,6 +275,7 @@ Status arrangeRounded(Purpose purpose, MeshArrays operands, Monitor& monitor, Ar
 			rounded.stageTimes[i].seconds += out.stageTimes[i].seconds;
 		}
 		rounded.options = out.options;
+		rounded.vertexWeld = out.vertexWeld;
 		out = std::move(rounded);
 	}
 	return {};
@@ -292,13 +298,20 @@ Status arrangeFor(Purpose purpose, MeshArrays input, const Options& options, Mon
                   Arrangement& out) {
 	return guarded([&] {
 		out = Arrangement{};
+		Stages stages(monitor, out.stageTimes);
+		VertexWeld weld;
+		stages.run("near_vertices", 0,
+		           [&] { return weldNearVertices(options.weldDistance, monitor, input, weld); });
+		if (!stages.status().ok()) {
+			return stages.status();
+		}
 		MeshArrays rounded;
 		if (options.certify && !isStoredExactly(input.points, options.outputScalar)) {
 			rounded = input;
 			roundPlaces(options.outputScalar, rounded.points);
 		}
-		Stages stages(monitor, out.stageTimes);
 		arrangeOnce(purpose, std::move(input), options, monitor, stages, out);
+		out.vertexWeld = weld;
 		if (stages.status().ok() && out.placeRepair.faultsAfter > 0 && !rounded.points.empty()) {
 			const Status status = arrangeRounded(purpose, std::move(rounded), monitor, out);
 			if (!status.ok()) {
@@ -349,6 +362,21 @@ Status arrangeAgain(Purpose purpose, const InputAgain& again, const Options& opt
 	return status.ok() ? arrangeFor(purpose, std::move(input), options, monitor, out) : status;
 }
 
+// Of an operand that encloses nothing. All of its faces may cancel: it is a double-sided model
+// then, but under the rule Odd a set like any other.
+Status refuseWithoutInside(const Arrangement& arrangement, OperandId operand) {
+	const MeshArrays& mesh = arrangement.mesh;
+	const bool isOdd = arrangement.options.windingRule == WindingRule::Odd;
+	const std::size_t pairs = cancellingPairs(mesh, operand, isOdd);
+	Status status;
+	if (pairs == 0 || !isOdd) {
+		status.code = pairs == 0 ? StatusCode::NoVolume : StatusCode::EmptyOperand;
+		status.operand = numberOf(operand);
+		status.count = pairs;
+	}
+	return status;
+}
+
 // Ok, or the first operand of which no block can be made: it is open, or encloses nothing.
 Status refuseEmptyOperands(const Arrangement& arrangement) {
 	return forEachOperand(arrangement.mesh.operands(), [&](OperandId operand) {
@@ -359,9 +387,7 @@ Status refuseEmptyOperands(const Arrangement& arrangement) {
 		const bool isEmpty = std::all_of(windings.begin(), windings.end(), [&](const auto& w) {
 			return !isInside(arrangement.options.windingRule, w[operand]);
 		});
-		Status status = statusOf(isEmpty ? StatusCode::NoVolume : StatusCode::Ok);
-		status.operand = numberOf(operand);
-		return status;
+		return isEmpty ? refuseWithoutInside(arrangement, operand) : Status{};
 	});
 }
 
@@ -395,6 +421,28 @@ Status refuseUnclosed(const Arrangement& arrangement) {
 	});
 }
 
+// The refusal of an open operand, with the distance that would close it, if there is one. It is
+// tried before it is named.
+Status withClosingDistance(Status refusal, const InputAgain& again, Options options,
+                           Monitor& monitor) {
+	const OperandId operand = makeId<OperandTag>(static_cast<std::size_t>(refusal.operand));
+	const Status found = guarded([&] {
+		MeshArrays input;
+		return inOrder(
+		    [&] { return again(input); },
+		    [&] { return findClosingDistance(input, operand, monitor, options.weldDistance); });
+	});
+	if (!found.ok() || options.weldDistance == 0) {
+		return found.code == StatusCode::Cancelled ? found : refusal;
+	}
+	Arrangement tried;
+	const Status status = arrangeAgain(kCells, again, options, monitor, tried);
+	if (status.ok() && tried.closed[operand]) {
+		refusal.closingDistance = options.weldDistance;
+	}
+	return status.code == StatusCode::Cancelled ? status : refusal;
+}
+
 }  // namespace
 
 Status arrangeExpression(MeshArrays input, const Expression& expression, const Options& options,
@@ -418,8 +466,11 @@ Status arrangeOperands(MeshArrays input, const InputAgain& again, const Options&
 	if (!isOnlyForEmbedded(status.code, options.selfIntersections)) {
 		return status;
 	}
-	return inOrder([&] { return arrangeAgain(kCells, again, options, monitor, out); },
-	               [&] { return refuseEmptyOperands(out); });
+	Status result = inOrder([&] { return arrangeAgain(kCells, again, options, monitor, out); },
+	                        [&] { return refuseEmptyOperands(out); });
+	return result.code == StatusCode::NotClosed
+	           ? withClosingDistance(std::move(result), again, options, monitor)
+	           : result;
 }
 
 namespace {
@@ -691,6 +742,10 @@ Status attributeSources(const Arrangement& arrangement, const AttributeInput& in
 		monitor.beginStage("attributes", 0, 1);
 		return findAttributeSources(arrangement, input, monitor, mesh, out);
 	});
+}
+
+Status countOpenEdges(const SourcedMesh& mesh, int threads, Monitor& monitor, std::size_t& count) {
+	return guarded([&] { return countUnmatchedEdges(mesh.triangles, threads, monitor, count); });
 }
 
 namespace {

@@ -17,6 +17,7 @@
 #include "vcg_ext/base/status.h"
 #include "vcg_ext/carry/attributes.h"
 #include "vcg_ext/distance/signed_distance.h"
+#include "vcg_ext/mesh/folded_fans.h"
 #include "vcg_ext/mesh/measure.h"
 #include "vcg_ext/mesh/mesh_arrays.h"
 #include "vcg_ext/parts/clip.h"
@@ -91,7 +92,9 @@ using InputAgain = std::function<Status(MeshArrays& out)>;
 // searched and refused.
 // \param again called only then; may throw std::bad_alloc; what it returns unless Ok is returned
 // \return any StatusCode: of operands that meet themselves, SelfIntersecting if that is asked for;
-//         NotClosed or NotOriented of what is open as it is cut; NoVolume of what has no inside
+//         NotClosed or NotOriented of what is open as it is cut, with the weldDistance that would
+//         close it, if there is one; EmptyOperand of what is double-sided, NoVolume of what else
+//         has no inside
 // Complexity: of those two.
 Status arrangeOperands(MeshArrays input, const InputAgain& again, const Options& options,
                        Monitor& monitor, Arrangement& out);
@@ -164,6 +167,10 @@ Status operandSeams(const Arrangement& arrangement, const GivenTriangles& given,
 // attributes.h. \return Ok, Cancelled, OutOfMemory, InternalError. Complexity: O(n), in parallel.
 Status attributeSources(const Arrangement& arrangement, const AttributeInput& input,
                         Monitor& monitor, SourcedMesh& mesh, AttributeSources& out);
+
+// The edges of a delivered mesh that are open by index: where vertices in one place stay apart, at
+// seams. \return Ok, Cancelled, OutOfMemory. Complexity: O(n), in parallel, if there are none.
+Status countOpenEdges(const SourcedMesh& mesh, int threads, Monitor& monitor, std::size_t& count);
 
 // What is known of delivered blocks by measuring them.
 struct Audit {

@@ -29,8 +29,8 @@ AttributeTransfer::AttributeTransfer(const PerOperand<MeshModel*>& layers,
 AttributeRequest AttributeTransfer::request() const {
 	AttributeRequest request;
 	request.given = [this](GivenFace face) { return access_.givenTriangle(face); };
-	request.same = [this](VertexId a, VertexId b, bool alsoNormals) {
-		return areSame(access_.vertex(a.value), access_.vertex(b.value), alsoNormals);
+	request.same = [this](VertexId a, VertexId b) {
+		return areSame(access_.vertex(a.value), access_.vertex(b.value));
 	};
 	request.needs.corners =
 	    std::any_of(columns_.begin(), columns_.end(),
@@ -40,11 +40,7 @@ AttributeRequest AttributeTransfer::request() const {
 }
 
 bool AttributeTransfer::areSame(const OperandElementsAccess::Spot& a,
-                                const OperandElementsAccess::Spot& b, bool alsoNormals) const {
-	const auto& vertices = access_.mesh(a.operand).vert;
-	if (alsoNormals && vertices[a.position].cN() != vertices[b.position].cN()) {
-		return false;
-	}
+                                const OperandElementsAccess::Spot& b) const {
 	return std::all_of(columns_.begin(), columns_.end(), [&](const AttributeColumn& column) {
 		return !column.sameAt || column.sameAt(a, b);
 	});

@@ -44,8 +44,7 @@ public:
 	void addMessages(const LayerNames& names, std::vector<std::string>& messages) const;
 
 private:
-	bool areSame(const OperandElementsAccess::Spot& a, const OperandElementsAccess::Spot& b,
-	             bool alsoNormals) const;
+	bool areSame(const OperandElementsAccess::Spot& a, const OperandElementsAccess::Spot& b) const;
 	void prepareFaceProvenance(const AttributeSources& sources, MeshModel& layer,
 	                           ElementWriters& writers) const;
 	void prepareVertexProvenance(const SourcedMesh& mesh, const AttributeSources& sources,

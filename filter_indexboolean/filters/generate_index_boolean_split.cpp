@@ -59,6 +59,7 @@ SplitOperands findSplitOperands(const ParameterValues& values, MeshDocument& doc
 	}
 	operands.read = layersNamed(
 	    layersOfList("layers", list, layerDirectory(document), operands.messages), document);
+	operands.read.kind = takenFor(kFilter);
 	operands.names.layers = operands.read.names;
 	operands.messages.push_back(operandNumbersMessage(operands.names.layers));
 	if (isAnyClipAskedFor(values)) {

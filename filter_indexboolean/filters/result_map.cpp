@@ -46,6 +46,7 @@ void addBlock(const BlocksResult& result, std::size_t i, const std::string& name
 	map[name + "_faces"] = toInt(block.triangles.size());
 	map[name + "_components"] = toInt(measure.components);
 	map[name + "_closed"] = measure.closed;
+	map[name + "_open_edges"] = toInt(result.openEdges[i]);
 	addCertificate(name, block, block.repair, repair, map);
 }
 
@@ -181,6 +182,8 @@ void addIncidence(const CurveLines& curves, const SubSurfaces& surfaces, ResultM
 // What every filter reports.
 void addReport(const RunReport& report, const AdapterSeconds& adapter, ResultMap& map) {
 	map["labelled_by_cells"] = report.isLabelledByCells;
+	map["welded_vertices"] = toInt(report.vertexWeld.moved);
+	map["largest_weld"] = report.vertexWeld.largestMove;
 	map["loops_open"] = toInt(report.loopCounts.open);
 	map["loops_hard_closed"] = toInt(report.loopCounts.hardClosed);
 	map["loops_soft_closed"] = toInt(report.loopCounts.softClosed);

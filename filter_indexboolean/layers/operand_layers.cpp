@@ -29,6 +29,7 @@ OperandLayers findOperandLayers(FilterId filter, const ParameterValues& values,
 	OperandLayers operands;
 	operands.layers = {findOperand(filter, "first_mesh", values, document),
 	                   findOperand(filter, "second_mesh", values, document)};
+	operands.kind = takenFor(filter);
 	operands.names = {nameOf(*operands.layers[kFirst]), nameOf(*operands.layers[kSecond])};
 	if (operands.layers[kFirst] == operands.layers[kSecond]) {
 		throw Refusal(sameLayerMessage(operands.names[kFirst]));
@@ -90,6 +91,7 @@ Options readCommonOptions(FilterId filter, const ParameterValues& values) {
 	    sizeof(Scalarm) == sizeof(float) ? OutputScalar::Float : OutputScalar::Double;
 	options.selfIntersections = static_cast<SelfIntersections>(values.getInt("self_intersections"));
 	options.windingRule = static_cast<WindingRule>(values.getInt("winding_rule"));
+	options.weldDistance = lengthInRange(filter, "weld_distance", values);
 	return options;
 }
 
@@ -102,9 +104,9 @@ Options readSurfaceOptions(FilterId filter, const ParameterValues& values) {
 	return options;
 }
 
-void refuseUnlessOk(const Status& status, const LayerNames& names) {
+void refuseUnlessOk(const Status& status, const LayerNames& names, TakenFor kind) {
 	if (!status.ok()) {
-		throw Refusal(refusalMessage(status, names));
+		throw Refusal(refusalMessage(status, names, kind));
 	}
 }
 
@@ -117,7 +119,7 @@ void selectDefect(const Status& status, const OperandArrays& read, const Operand
 
 void refuseDefect(const Status& status, const OperandArrays& read, const OperandLayers& operands) {
 	selectDefect(status, read, operands);
-	refuseUnlessOk(status, operands.names);
+	refuseUnlessOk(status, operands.names, operands.kind);
 }
 
 InputAgain inputAgain(const OperandLayers& operands, const OperandArrays& read,

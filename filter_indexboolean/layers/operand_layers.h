@@ -18,6 +18,7 @@ namespace index_boolean {
 struct OperandLayers {
 	PerOperand<MeshModel*> layers;
 	LayerNames names;
+	TakenFor kind = TakenFor::Solid;
 };
 
 // The two layers that the parameters first_mesh and second_mesh name; throws Refusal unless there
@@ -50,15 +51,15 @@ int numberInRange(FilterId filter, const char* name, const ParameterValues& valu
 // The parameter's length; throws Refusal if it is negative or no number.
 double lengthInRange(FilterId filter, const char* name, const ParameterValues& values);
 
-// The options that every filter has: the search for self-intersections and the octree's limits, and
-// the host's scalar.
+// The options that every filter has: the search for self-intersections, the weld distance and the
+// octree's limits, and the host's scalar.
 Options readCommonOptions(FilterId filter, const ParameterValues& values);
 
 // These, and those that filters have that make surfaces: certificates, and the scalar for them.
 Options readSurfaceOptions(FilterId filter, const ParameterValues& values);
 
 // Throws Refusal with the status's sentence.
-void refuseUnlessOk(const Status& status, const LayerNames& names);
+void refuseUnlessOk(const Status& status, const LayerNames& names, TakenFor kind = TakenFor::Solid);
 
 // Leaves the status's faces, if it has any, selected in the layer that they have been read from.
 void selectDefect(const Status& status, const OperandArrays& read, const OperandLayers& operands);

@@ -40,6 +40,15 @@ void forgetCertificates(std::vector<Block>& blocks) {
 	}
 }
 
+Status countAllOpenEdges(int threads, Monitor& monitor, BlocksResult& result) {
+	Status status;
+	result.openEdges.resize(result.blocks.size());
+	for (std::size_t i = 0; i < result.blocks.size() && status.ok(); ++i) {
+		status = countOpenEdges(result.blocks[i], threads, monitor, result.openEdges[i]);
+	}
+	return status;
+}
+
 }  // namespace
 
 Status readBlocks(const Arrangement& arrangement, const BlockReader& reader,
@@ -73,8 +82,9 @@ Status readBlocks(const Arrangement& arrangement, const BlockReader& reader,
 		return status;
 	}
 	result.report.addStage("attributes", sourcesTime);
+	status = countAllOpenEdges(arrangement.options.threads, finding, result);
 
-	if (request.curves) {
+	if (status.ok() && request.curves) {
 		Monitor drawing = progress.nextPhase(kCurvesShare);
 		status = extractCurve(arrangement, drawing, result.curves);
 	}

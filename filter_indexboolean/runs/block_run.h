@@ -28,6 +28,7 @@ struct BlocksResult {
 	std::vector<Block> blocks;              // in the order of the layers
 	Audit audit;                            // of these blocks
 	std::vector<AttributeSources> sources;  // of each block, if wanted
+	std::vector<std::size_t> openEdges;     // of each block, by index: at seams
 	CurveLines curves;                      // if requested
 };
 

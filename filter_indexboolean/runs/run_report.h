@@ -18,9 +18,11 @@ struct RunReport {
 	DuplicateFaces duplicates;
 	LoopCounts loopCounts;
 	PlaceRepair placeRepair;
+	VertexWeld vertexWeld;
 	bool isLabelledByCells = false;            // operands that may meet themselves: one soup
 	PerOperand<std::size_t> turnedAlike;       // faces turned as their neighbours are
 	PerOperand<std::size_t> selfIntersecting;  // faces of each that meet others of it wrongly
+	PerOperand<std::size_t> foldedFans;        // if any do: polygons whose triangles overlap
 	std::vector<StageTime> stageTimes;         // in the order of the stages
 	double seconds = 0;                        // from arrays to arrays
 
@@ -41,9 +43,16 @@ inline RunReport reportOf(const Arrangement& arrangement) {
 	report.duplicates = arrangement.duplicates;
 	report.loopCounts = arrangement.loopCounts;
 	report.placeRepair = arrangement.placeRepair;
+	report.vertexWeld = arrangement.vertexWeld;
 	report.isLabelledByCells = arrangement.isSoup;
 	report.turnedAlike = arrangement.turnedAlike;
 	report.selfIntersecting = arrangement.selfIntersecting;
+	report.foldedFans = PerOperand<std::size_t>(arrangement.selfIntersecting.size());
+	for (const OperandId operand : report.foldedFans.operands()) {
+		if (report.selfIntersecting[operand] > 0) {
+			report.foldedFans[operand] = countFoldedFans(arrangement.mesh, operand);
+		}
+	}
 	report.stageTimes = arrangement.stageTimes;
 	return report;
 }

@@ -187,6 +187,20 @@ const ParameterDefinition kWindingRule{
     "odd: where it does so an odd number of times; the faces may be turned anyhow.",
     {"nonzero", "positive", "odd"}};
 
+const ParameterDefinition kWeldDistance{
+    "weld_distance",
+    ParameterKind::Length,
+    0,
+    0,
+    0,
+    false,
+    "Weld distance",
+    "For layers that are cracked: whose faces do not quite meet. Before anything else, vertices of "
+    "one layer that are nearer to each other than this, and chains of such vertices, become one, "
+    "at the place of the one that comes first by x, y and z. A length, or a percentage of the "
+    "diagonal of the box around all layers. Refused if such a chain leads more than twice as far. "
+    "0: nothing is moved."};
+
 const ParameterDefinition kCertify{
     "certify",
     kBool,
@@ -265,6 +279,7 @@ ParameterList blockParameters() {
 	     "each block is a manifold mesh."},
 	    kSelfIntersections,
 	    kWindingRule,
+	    kWeldDistance,
 	    kCertify,
 	    kCertifyAs,
 	    {"transfer_attributes", kBool, 1, 0, 1, false, "Transfer attributes",
@@ -385,6 +400,7 @@ FilterDefinition splitDefinition() {
 	         "their numbers and colours; the log says so."},
 	        kSelfIntersections,
 	        kWindingRule,
+	        kWeldDistance,
 	        kCertify,
 	        kCertifyAs,
 	        kHideOperands,
@@ -405,6 +421,7 @@ FilterDefinition curvesDefinition() {
 	        kSecondSurface,
 	        kSelfIntersections,
 	        kWindingRule,
+	        kWeldDistance,
 	        kOctreeMaxDepth,
 	        kOctreeLeafSize,
 	    },

@@ -12,58 +12,67 @@ namespace index_boolean {
 
 namespace {
 
+constexpr const char* kReport =
+    "Nothing was changed: no result is better than a wrong one. The layers, as they are, belong to "
+    "the report.";
+
 // What a sentence is about decides how it begins.
 enum class Subject { OneLayer, AllLayers, Run };
 
 struct Remedy {
 	StatusCode code;
 	Subject subject;
-	const char* text;
+	const char* forSolid;    // what to do where the filter takes layers for solids,
+	const char* forSurface;  // and for surfaces; null: the same
 };
 
+constexpr const char* kDoubleSided =
+    "It is double-sided: each face is there once in each direction. \"Remove Duplicate Faces\" "
+    "(meshing_remove_duplicate_faces) leaves one of each: a solid, if that is closed, else a sheet "
+    "for generate_index_boolean_split (\"Index Boolean: Split into Sub-surfaces and Sub-blocks\").";
+
+// Each of them is performed by tests/python/test_refusals.py, on layers that are refused so.
 constexpr std::array<Remedy, kStatusCodeCount> kRemedies{{
-    {StatusCode::Ok, Subject::Run, ""},
-    {StatusCode::Cancelled, Subject::Run, "Run the filter again to get the blocks."},
+    {StatusCode::Ok, Subject::Run, "", nullptr},
+    {StatusCode::Cancelled, Subject::Run, "Run the filter again to get new layers.", nullptr},
     {StatusCode::OutOfMemory, Subject::Run,
-     "Ask for fewer blocks at a time, or make the layers smaller with "
-     "\"Simplification: Quadric Edge Collapse Decimation\" "
-     "(meshing_decimation_quadric_edge_collapse)."},
-    {StatusCode::EmptyOperand, Subject::OneLayer,
-     "Choose a layer with faces; a surface can be made from points by \"Surface Reconstruction: "
-     "Screened Poisson\" (generate_surface_reconstruction_screened_poisson)."},
+     "Close other programs, or ask for fewer new layers at a time.", nullptr},
+    {StatusCode::EmptyOperand, Subject::OneLayer, "Choose a layer with faces.", nullptr},
     {StatusCode::NotFinite, Subject::OneLayer,
-     "They are selected. Delete them with \"Delete Selected Faces and Vertices\" "
-     "(meshing_remove_selected_vertices_and_faces), then close the holes with \"Close Holes\" "
-     "(meshing_close_holes); or correct the layer's matrix."},
+     "These faces are selected. If the layer's matrix is to blame, correct it. Else delete them "
+     "with \"Delete Selected Faces and Vertices\" (meshing_remove_selected_vertices_and_faces); "
+     "\"Close Holes\" (meshing_close_holes) then covers the hole that is left, without what was "
+     "there.",
+     "These faces are selected. If the layer's matrix is to blame, correct it. Else delete them "
+     "with \"Delete Selected Faces and Vertices\" (meshing_remove_selected_vertices_and_faces)."},
     {StatusCode::IndexOutOfRange, Subject::OneLayer,
-     "They are selected. Delete them with \"Delete Selected Faces\" "
-     "(meshing_remove_selected_faces), then close the holes with \"Close Holes\" "
-     "(meshing_close_holes)."},
-    {StatusCode::TooLarge, Subject::AllLayers,
-     "Make them smaller with \"Simplification: Quadric Edge Collapse Decimation\" "
-     "(meshing_decimation_quadric_edge_collapse)."},
+     "These faces are selected. The layer is damaged: load its file again.", nullptr},
+    {StatusCode::TooLarge, Subject::AllLayers, "Cut them into parts first.", nullptr},
     {StatusCode::NotClosed, Subject::OneLayer,
-     "The faces at these edges are selected. Union, intersection and differences need a closed "
-     "surface: close it with \"Close Holes\" (meshing_close_holes), or use "
-     "generate_index_boolean_split (\"Index Boolean: Split into Sub-surfaces and Sub-blocks\"), "
-     "the filter for open surfaces."},
+     "The faces at these edges are selected. If it is a solid with holes, \"Close Holes\" "
+     "(meshing_close_holes) closes those of up to maxholesize edges. If it is a sheet, "
+     "generate_index_boolean_split (\"Index Boolean: Split into Sub-surfaces and Sub-blocks\") "
+     "cuts with it.",
+     nullptr},
     {StatusCode::NotOriented, Subject::OneLayer,
-     "The faces at these edges are selected. Make the orientation consistent with \"Re-Orient all "
-     "faces coherently\" (meshing_re_orient_faces_coherently); or set winding_rule to odd, which "
-     "does without."},
+     "The faces at these edges are selected. No way of turning faces makes them agree. With "
+     "winding_rule = odd it does not matter how they are turned.",
+     nullptr},
     {StatusCode::NoVolume, Subject::OneLayer,
-     "It is flat, or each of its faces is there in both directions. \"Remove Duplicate Faces\" "
-     "(meshing_remove_duplicate_faces) removes doubled faces."},
-    {StatusCode::NestedComponents, Subject::OneLayer,
-     "Their faces are selected. Turn components that are inside out with \"Invert Faces "
-     "Orientation\" (meshing_invert_face_orientation) on the selection; unite components that lie "
-     "inside each other first, as two layers."},
+     "What has no inside is no solid. generate_index_boolean_split (\"Index Boolean: Split into "
+     "Sub-surfaces and Sub-blocks\") takes it for a surface.",
+     nullptr},
+    {StatusCode::NestedComponents, Subject::OneLayer, kReport, nullptr},
     {StatusCode::SelfIntersecting, Subject::OneLayer,
      "The faces found are selected. With self_intersections = resolve the layer is taken for what "
-     "its winding rule says."},
-    {StatusCode::InternalError, Subject::Run,
-     "Nothing was changed: no result is better than a wrong one. The layers, as they are, belong "
-     "to the report."},
+     "its winding rule says.",
+     "The faces found are selected. With self_intersections = resolve the layer is cut by itself, "
+     "too."},
+    {StatusCode::InternalError, Subject::Run, kReport, nullptr},
+    {StatusCode::WeldTooWide, Subject::OneLayer,
+     "The faces at these vertices are selected. Choose a smaller weld_distance: one that is larger "
+     "than the cracks and smaller than the edges.",
+     nullptr},
 }};
 
 constexpr bool rowsAreInOrder() {
@@ -146,9 +155,28 @@ OperandId operandOf(const Status& status) {
 	                          : makeId<OperandTag>(static_cast<std::size_t>(status.operand));
 }
 
-std::string refusalMessage(const Status& status, const LayerNames& layers) {
+TakenFor takenFor(FilterId filter) {
+	switch (filter) {
+	case FilterId::GenerateIndexBooleanSplit:
+	case FilterId::GenerateIndexBooleanCurves:
+		return TakenFor::Surface;
+	default:
+		return TakenFor::Solid;
+	}
+}
+
+std::string refusalMessage(const Status& status, const LayerNames& layers, TakenFor kind) {
 	const Remedy& remedy = kRemedies[static_cast<std::size_t>(status.code)];
-	return subjectOf(remedy, status, layers) + describe(status) + ". " + remedy.text;
+	const std::string defect = subjectOf(remedy, status, layers) + describe(status) + ". ";
+	if (status.closingDistance > 0) {
+		return defect + "The faces at these edges are selected. They only just miss each other: " +
+		       "with weld_distance = " + decimal(status.closingDistance) + " the layer is closed.";
+	}
+	if (status.code == StatusCode::EmptyOperand && status.count > 0) {
+		return defect + kDoubleSided;
+	}
+	const bool isSurface = kind == TakenFor::Surface && remedy.forSurface != nullptr;
+	return defect + (isSurface ? remedy.forSurface : remedy.forSolid);
 }
 
 std::string unknownLayerMessage(const ParameterDefinition& parameter, int id) {
@@ -238,8 +266,22 @@ std::string resolvedMessage(const LayerName& layer, std::size_t faces) {
 	       ", which have been resolved.";
 }
 
+std::string foldedFansMessage(const LayerName& layer, std::size_t polygons) {
+	return "Layer " + quoted(layer) + " has " + counted(polygons, "polygon") +
+	       " with triangles that lie on each other, as MeshLab's readers of PLY and OFF files make "
+	       "of concave polygons. Its reader of OBJ files does not.";
+}
+
+std::string weldedMessage(const VertexWeld& weld) {
+	return std::to_string(weld.moved) + (weld.moved == 1 ? " vertex was" : " vertices were") +
+	       " moved to the place of a neighbour, by " + decimal(weld.largestMove) + " at most.";
+}
+
 std::vector<std::string> operandMessages(const RunReport& report, const LayerNames& layers) {
 	std::vector<std::string> messages;
+	if (report.vertexWeld.moved > 0) {
+		messages.push_back(weldedMessage(report.vertexWeld));
+	}
 	for (const OperandId operand : layers.operands()) {
 		if (report.insideOut[operand]) {
 			messages.push_back(turnedMessage(layers[operand]));
@@ -249,6 +291,9 @@ std::vector<std::string> operandMessages(const RunReport& report, const LayerNam
 		}
 		if (report.selfIntersecting[operand] > 0) {
 			messages.push_back(resolvedMessage(layers[operand], report.selfIntersecting[operand]));
+		}
+		if (report.foldedFans[operand] > 0) {
+			messages.push_back(foldedFansMessage(layers[operand], report.foldedFans[operand]));
 		}
 		const std::size_t once = report.duplicates.takenOnce[operand];
 		const std::size_t cancelled = report.duplicates.cancelledPairs[operand];

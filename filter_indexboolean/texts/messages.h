@@ -21,8 +21,13 @@ namespace index_boolean {
 // The operand that a status speaks of; the first, if it speaks of none alone.
 OperandId operandOf(const Status& status);
 
+// What a filter takes its layers for decides what can be done about one that it refuses.
+enum class TakenFor { Solid, Surface };
+TakenFor takenFor(FilterId filter);
+
 // Why the run was refused. The status is not Ok.
-std::string refusalMessage(const Status& status, const LayerNames& layers);
+std::string refusalMessage(const Status& status, const LayerNames& layers,
+                           TakenFor kind = TakenFor::Solid);
 
 // The parameter names a layer that the document does not have.
 std::string unknownLayerMessage(const ParameterDefinition& parameter, int id);
@@ -51,12 +56,18 @@ std::string turnedAlikeMessage(const LayerName& layer, std::size_t faces);
 // Faces of the layer meet others of it wrongly, and that has been resolved.
 std::string resolvedMessage(const LayerName& layer, std::size_t faces);
 
+// Of these, some are triangles that concave polygons were read as.
+std::string foldedFansMessage(const LayerName& layer, std::size_t polygons);
+
 // Faces of the layer on the same three vertices as others have been left out: `takenOnce` that are
 // equal to another, `cancelledPairs` of opposite ones. Not both are 0.
 std::string duplicatesMessage(const LayerName& layer, std::size_t takenOnce,
                               std::size_t cancelledPairs);
 
-// The last two, of each layer that they are true of.
+// Vertices of layers were moved to the places of others, by weld_distance.
+std::string weldedMessage(const VertexWeld& weld);
+
+// What was done to the layers: of each of these, what is true.
 std::vector<std::string> operandMessages(const RunReport& report, const LayerNames& layers);
 
 // The layer does not carry these attributes, which another one does. At least one.

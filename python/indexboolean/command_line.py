@@ -96,6 +96,12 @@ def _add_command(commands, name, run, text, description):
         help="what is inside a mesh that meets itself: all places that its surface winds around "
         "(default), those where it does so right side out, or an odd number of times",
     )
+    _add_filter_option(
+        command, "weld_distance", "--weld-distance", type=_length, default="0", metavar="LENGTH",
+        help="vertices of one mesh that are nearer to each other than this become one before "
+        "anything else, for meshes whose faces do not quite meet: a length, as 1e-6, or a share of "
+        "the diagonal of the box around all meshes, as 0.001%% (default: 0)",
+    )
     return command
 
 
@@ -134,7 +140,7 @@ def _add_boolean_options(command):
 def _add_block_options(command):
     command.add_argument(
         "--format", choices=FORMATS, default="ply",
-        help="of the blocks (default: ply, binary, which alone keeps every bit)",
+        help="of the blocks (default: ply, binary); what is read back has the bits certified",
     )
     _add_filter_option(
         command, "merge_fragments", "--no-merge-fragments", action="store_false",
@@ -260,7 +266,7 @@ def _add_distance(commands):
         help="the distances of A from B only",
     )
     _add_filter_option(
-        command, "max_distance", "--max-distance", type=_length, default=0.0, metavar="LENGTH",
+        command, "max_distance", "--max-distance", type=_length, default="0", metavar="LENGTH",
         help="do not measure what is farther away: its distance is no number, and it is counted",
     )
 
@@ -300,18 +306,19 @@ def _add_batch(commands):
     )
 
 
-def _length(text):
-    length = float(text)
-    if not 0 <= length < float("inf"):
-        raise argparse.ArgumentTypeError(f"{text} is no length")
-    return length
-
-
 def _count(text):
     count = int(text)
     if count < 1:
         raise argparse.ArgumentTypeError(f"{text} is not 1 or more")
     return count
+
+
+def _length(text):
+    """The text itself, if it is a length or a percentage; lengths_of makes a number of it."""
+    number = float(text[:-1] if text.endswith("%") else text)
+    if not 0 <= number < float("inf"):
+        raise argparse.ArgumentTypeError(f"{text} is no length")
+    return text
 
 
 def _seconds(text):

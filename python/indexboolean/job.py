@@ -7,9 +7,14 @@ import math
 
 import numpy as np
 
+from .exact_text import write_exact_coordinates
 from .host_call import host_call
+from .host_words import in_words_of_the_command_line
 from .plugin import load_plugin
 from .ply_file import write_ply, write_ply_columns
+
+
+_LENGTHS = {"weld_distance", "max_distance"}
 
 
 class JobError(Exception):
@@ -47,6 +52,7 @@ class LayersJob:
         """Runs the filter; returns (its result map, the messages that it logged)."""
         import pymeshlab
 
+        parameters = self._with_lengths(parameters)
         self.meshes.set_verbosity(True)
         try:
             outcome = host_call(
@@ -54,9 +60,28 @@ class LayersJob:
             )
         except pymeshlab.PyMeshLabException as error:
             _, _, refusal = str(error).partition("Details: ")  # after the host's own opening
-            raise _refusal(refusal or str(error)) from error
+            raise _refusal(in_words_of_the_command_line(refusal or str(error))) from error
         self.meshes.set_verbosity(False)
         return outcome
+
+    def _with_lengths(self, parameters):
+        """The parameters with lengths for texts: 1e-6, or 0.1% of the operands' diagonal."""
+        import pymeshlab
+
+        lengths = {}
+        for name in _LENGTHS & parameters.keys():
+            text = parameters[name]
+            number = float(text.rstrip("%"))
+            if text.endswith("%"):
+                number *= self._diagonal() / 100
+            lengths[name] = pymeshlab.PureValue(number)
+        return {**parameters, **lengths}
+
+    def _diagonal(self):
+        """Of the box around all operands, as their matrices place them."""
+        places = [self.meshes.mesh(layer).transformed_vertex_matrix() for layer in self.operands]
+        places = np.concatenate([p for p in places if len(p) > 0] or [np.zeros((1, 3))])
+        return float(np.linalg.norm(places.max(axis=0) - places.min(axis=0)))
 
     def save(self, layer, name, **parameters):
         """Writes the layer of that id as folder/name."""
@@ -75,6 +100,8 @@ class LayersJob:
             )
         except pymeshlab.PyMeshLabException as error:
             raise JobError(f"{path} cannot be written: {error}") from error
+        if path.suffix in (".obj", ".off"):
+            write_exact_coordinates(path, mesh.vertex_matrix())
 
     def save_with_numbers(self, layer, name, numbers):
         """Writes the layer as a PLY file whose faces have colours and the attributes named."""

@@ -70,6 +70,47 @@ TEST(Messages, anOpenLayerIsSentToTheFilterForOpenSurfaces) {
 	EXPECT_TRUE(contains(refusal(StatusCode::NotClosed, 0), "generate_index_boolean_split"));
 }
 
+TEST(Messages, aCrackedLayerIsToldTheDistanceAndNothingElse) {
+	Status status = statusOf(StatusCode::NotClosed);
+	status.closingDistance = 2e-7;
+	const std::string message = refusalMessage(status, kLayers);
+	EXPECT_TRUE(contains(message, "with weld_distance = 2e-07 the layer is closed.")) << message;
+	EXPECT_FALSE(contains(message, "Close Holes")) << message;
+}
+
+TEST(Messages, aDoubleSidedLayerIsToldWhatItIs) {
+	Status status = statusOf(StatusCode::EmptyOperand);
+	EXPECT_FALSE(contains(refusalMessage(status, kLayers), "double-sided"));
+	status.count = 6;
+	const std::string message = refusalMessage(status, kLayers);
+	EXPECT_TRUE(contains(message, "6 pairs of opposite faces cancel. It is double-sided"))
+	    << message;
+}
+
+TEST(Messages, surfacesHaveNoHolesToCloseNorSolidsInside) {
+	EXPECT_EQ(takenFor(FilterId::GenerateIndexBoolean), TakenFor::Solid);
+	for (const FilterId filter :
+	     {FilterId::GenerateIndexBooleanSplit, FilterId::GenerateIndexBooleanCurves}) {
+		for (const StatusCode code : {StatusCode::EmptyOperand, StatusCode::NotFinite,
+		                              StatusCode::SelfIntersecting, StatusCode::WeldTooWide}) {
+			const std::string message = refusalMessage(statusOf(code), kLayers, takenFor(filter));
+			EXPECT_FALSE(contains(message, "Close Holes")) << message;
+			EXPECT_FALSE(contains(message, "winding rule")) << message;
+		}
+	}
+}
+
+TEST(Messages, whatWasWeldedAndReadAsFansIsTold) {
+	RunReport report;
+	report.vertexWeld = {1, 0.5};
+	report.selfIntersecting[kSecond] = 4;
+	report.foldedFans[kSecond] = 2;
+	const std::vector<std::string> messages = operandMessages(report, kLayers);
+	ASSERT_EQ(messages.size(), 3u);
+	EXPECT_EQ(messages[0], "1 vertex was moved to the place of a neighbour, by 0.5 at most.");
+	EXPECT_TRUE(contains(messages[2], "\"50% cube\" (id 7) has 2 polygons with triangles"));
+}
+
 TEST(Messages, anEmptyBlockSaysWhyForEachOperation) {
 	std::set<std::string> messages;
 	for (const BlockDefinition& block : kBlockDefinitions) {

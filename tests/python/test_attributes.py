@@ -260,10 +260,11 @@ class TestCurveVertices:
 
 
 class TestSeams:
-    """A cube with four vertices of its own and a normal for each side, minus a sphere."""
+    """A cube with four vertices of its own for each side, minus a sphere."""
 
     @staticmethod
     def cube():
+        """(vertices, faces, normals, texture coordinates): each side has the whole picture."""
         vertices, faces = box((-1, -1, -1), (1, 1, 1))
         corners = vertices[faces]
         normals = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
@@ -273,34 +274,52 @@ class TestSeams:
         )
         unique, index = np.unique(keyed, axis=0, return_inverse=True)
         assert len(unique) == 24
-        return unique[:, :3], index.reshape(-1, 3), unique[:, 3:]
+        points, normals = unique[:, :3], unique[:, 3:]
+        side = np.abs(normals).argmax(axis=1)
+        first, second = (side + 1) % 3, (side + 2) % 3
+        rows = np.arange(len(points))
+        places = np.stack([points[rows, first], points[rows, second]], axis=1)
+        return points, index.reshape(-1, 3), normals, places * 0.25 + side[:, None]
 
-    def test_staySplitAlsoAtNewVertices(self):
+    def difference(self, with_texture):
         indexboolean.load_plugin()
         mesh_set = pymeshlab.MeshSet()
-        vertices, faces, normals = self.cube()
-        mesh_set.add_mesh(pymeshlab.Mesh(vertices, faces, v_normals_matrix=normals), "cube")
-        ball = sphere((0.9, 0.95, 0.1), 0.7, 3)
-        mesh_set.add_mesh(pymeshlab.Mesh(*ball), "ball")
+        vertices, faces, normals, places = self.cube()
+        texture = {"v_tex_coords_matrix": places} if with_texture else {}
+        cube = pymeshlab.Mesh(vertices, faces, v_normals_matrix=normals, **texture)
+        mesh_set.add_mesh(cube, "cube")
+        mesh_set.add_mesh(pymeshlab.Mesh(*sphere((0.9, 0.95, 0.1), 0.7, 3)), "ball")
         result = mesh_set.generate_index_boolean(first_mesh=0, second_mesh=1)
         assert result["first_minus_second_closed"]
         difference = mesh_set.mesh(result["first_minus_second_layer"])
-        points, normals = difference.vertex_matrix(), difference.vertex_normal_matrix()
-        normals = normals / np.linalg.norm(normals, axis=1)[:, None]
-        faces = difference.face_matrix()
+        points, faces = difference.vertex_matrix(), difference.face_matrix()
         assert mesh_laws.unmatched_edges(points, faces) == 0
+        return difference, result["first_minus_second_open_edges"]
+
+    def test_ofTexturesStaySplitAlsoAtNewVertices(self):
+        difference, open_edges = self.difference(with_texture=True)
+        assert open_edges > 0
+        points, faces = difference.vertex_matrix(), difference.face_matrix()
         of_cube = difference.face_custom_scalar_attribute_array("source_mesh") == 0
         new = difference.vertex_custom_scalar_attribute_array("source_vertex") < 0
-        face_normals = difference.face_normal_matrix()
+        normals = np.round(difference.face_normal_matrix())
+        places = difference.vertex_tex_coord_matrix()
         split = {}
         for face in np.flatnonzero(of_cube):
+            side = np.abs(normals[face]).argmax()
             for vertex in faces[face]:
-                # Every side of the cube has its own normal at each of its vertices, exactly.
-                assert np.array_equal(normals[vertex], np.round(face_normals[face])), vertex
+                expected = points[vertex][[(side + 1) % 3, (side + 2) % 3]] * 0.25 + side
+                assert np.allclose(places[vertex], expected, atol=1e-12), vertex
                 split.setdefault(tuple(points[vertex]), set()).add(vertex)
         sides = [sum(abs(c) == 1 for c in place) for place in split]
         assert [len(s) for s in split.values()] == sides
         assert any(len(s) == 2 and new[min(s)] for s in split.values())
+
+    def test_areNotMadeByNormalsAlone(self):
+        difference, open_edges = self.difference(with_texture=False)
+        assert open_edges == 0
+        points = difference.vertex_matrix()
+        assert len(np.unique(points, axis=0)) == len(points)
 
 
 def test_aSoupIsSewn():

@@ -36,6 +36,14 @@ def load(name):
     return [(arrays["V" + key], arrays["F" + key].astype(np.int32)) for key in keys]
 
 
+def load_stl(name):
+    """The mesh of a binary STL file; equal corners are one vertex."""
+    row = np.dtype([("normal", "<f4", 3), ("corners", "<f4", (3, 3)), ("attribute", "<u2")])
+    rows = np.fromfile(FOLDER / name, dtype=row, offset=84)
+    places, number = np.unique(rows["corners"].reshape(-1, 3), axis=0, return_inverse=True)
+    return places.astype(np.float64), number.reshape(-1, 3).astype(np.int32)
+
+
 def tolerance(operands, scalar, largest_move):
     """How far a volume may be off: an ulp over the area, and what repair says that it moved.
 

@@ -9,6 +9,7 @@
 
 #include "vcg_ext/mesh/element_counts.h"
 #include "vcg_ext/mesh/mesh_arrays.h"
+#include "vcg_ext/mesh/near_vertices.h"
 #include "vcg_ext/mesh/sourced_mesh.h"
 
 #include <map>
@@ -42,6 +43,7 @@ struct Options {
 	WindingRule windingRule = WindingRule::Nonzero;
 	bool certify =
 	    true;  // repair places so that what is delivered holds as stored, and say if it does
+	double weldDistance = 0;  // vertices of one operand that are nearer than this become one
 	// How many there may be of anything that a run numbers: vertices, faces, points of contact,
 	// pieces; of corners and label nodes, twice as many. More is TooLarge. Raising it does nothing.
 	std::size_t mostElements = kMostElements;
@@ -305,6 +307,8 @@ struct Arrangement {
 	// [labels] and [overlap_owners]; empty when splitting, and of a soup
 	Labels labels;
 	CellLabels cells;
+	// [near_vertices]
+	VertexWeld vertexWeld;
 	// the driver
 	std::vector<StageTime> stageTimes;  // in the order of the stages
 

@@ -13,6 +13,7 @@
 #include "vcg_ext/mesh/face_key.h"
 
 #include <algorithm>
+#include <functional>
 
 namespace index_boolean {
 
@@ -325,6 +326,22 @@ Status takeDuplicateFacesOnce(Arrangement& arrangement, Monitor& monitor) {
 		faces.insert(faces.end(), repeated.begin(), repeated.end());
 	}
 	return drop(std::move(faces), arrangement);
+}
+
+std::size_t cancellingPairs(const MeshArrays& mesh, OperandId operand, bool inAnyWay) {
+	std::vector<FaceKey<VertexId>> keys;
+	for (std::uint32_t f = mesh.faceOffsets.begin(operand); f < mesh.faceOffsets.end(operand);
+	     ++f) {
+		keys.push_back(faceKeyOf(mesh.triangles[f]));
+	}
+	std::sort(keys.begin(), keys.end());
+	bool areAll = true;
+	forEachGroup(keys.begin(), keys.end(), std::equal_to<>(), [&](auto first, auto last) {
+		const auto ascending =
+		    std::count_if(first, last, [](const auto& k) { return k.ascending; });
+		areAll = areAll && (inAnyWay ? (last - first) % 2 == 0 : 2 * ascending == last - first);
+	});
+	return areAll ? keys.size() / 2 : 0;
 }
 
 }  // namespace index_boolean

@@ -33,4 +33,10 @@ Status takeDuplicateFacesOnce(Arrangement& arrangement, Monitor& monitor);
 // \pre closed is known, by edges. \return Ok, Cancelled, OutOfMemory. Complexity: as above.
 Status takeRepeatedFacesOnce(Arrangement& arrangement, Monitor& monitor);
 
+// The number of pairs of faces on the same three vertices that an operand consists of; 0 if it has
+// any other face. The faces of a pair are turned against each other, as those of a double-sided
+// model are; or in any way, as they cancel under the winding rule Odd.
+// Throws std::bad_alloc. Complexity: O(n log n), for operands that enclose nothing.
+std::size_t cancellingPairs(const MeshArrays& mesh, OperandId operand, bool inAnyWay);
+
 }  // namespace index_boolean

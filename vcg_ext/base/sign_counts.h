@@ -21,8 +21,9 @@ enum class Predicate : std::uint8_t {
 	Rounding,       // the coordinates of a point of the curve
 	AxisOrder,      // two components of a normal
 	InCircle,       // four places, projected
+	Distance,       // of two points, and a given one
 };
-constexpr std::size_t kPredicateCount = 9;
+constexpr std::size_t kPredicateCount = 10;
 
 // Undecided: a filter that may pass its question on, and did.
 enum class DecidedBy : std::uint8_t { Double, DoubleDouble, Integers, Undecided };

@@ -26,7 +26,8 @@ constexpr Row kRows[] = {
      nullptr},
     {StatusCode::OutOfMemory, "out of memory", "there is not enough memory, nothing was changed",
      nullptr, nullptr},
-    {StatusCode::EmptyOperand, "empty", "has no face that encloses anything", nullptr, nullptr},
+    {StatusCode::EmptyOperand, "empty", "has no face that encloses anything",
+     "pair of opposite faces cancels", "pairs of opposite faces cancel"},
     {StatusCode::NotFinite, "not finite", "has coordinates that are not finite numbers",
      "face has a corner there", "faces have a corner there"},
     {StatusCode::IndexOutOfRange, "index out of range", "refers to vertices that do not exist",
@@ -48,6 +49,10 @@ constexpr Row kRows[] = {
     {StatusCode::InternalError, "internal error",
      "a check of the result failed, which is a defect of Index Boolean: please report it", nullptr,
      nullptr},
+    {StatusCode::WeldTooWide, "weld too wide",
+     "has vertices that chains of distances below the weld distance link, but that are more than "
+     "twice it apart",
+     "group of vertices is too wide", "groups of vertices are too wide"},
 };
 
 constexpr bool rowsAreInOrder() {

@@ -28,18 +28,21 @@ enum class StatusCode : std::uint8_t {
 	NestedComponents,  // components of one operand inside out, or inside each other's solid
 	SelfIntersecting,  // faces of one operand meet wrongly, or winding numbers contradict the curve
 	InternalError,     // a check of our own failed; a defect of this library, never an answer
+	WeldTooWide,       // vertices linked by distances below weldDistance are too far apart
 };
-constexpr int kStatusCodeCount = 13;
+constexpr int kStatusCodeCount = 14;
 
 // What happened. `operand` is 0 or 1, or -1 where both or none are meant. `faces` are indices into
 // that operand's triangles as given to the core. `count` is the number of defects (edges for
-// NotClosed and NotOriented, components for NestedComponents, else faces).
+// NotClosed and NotOriented, components for NestedComponents, groups of vertices for WeldTooWide,
+// else faces).
 struct [[nodiscard]] Status {
 	StatusCode code = StatusCode::Ok;
 	int operand = -1;
 	std::size_t count = 0;
 	bool hasPlace = false;
-	Point place{};  // one point at the first defect, if hasPlace
+	Point place{};               // one point at the first defect, if hasPlace
+	double closingDistance = 0;  // NotClosed: a weldDistance that closes the operand, if known
 	std::vector<std::uint32_t> faces;
 
 	bool ok() const { return code == StatusCode::Ok; }

@@ -44,7 +44,6 @@ private:
 	Monitor& monitor_;
 	std::vector<VertexId> places_;        // per welded vertex: one that was given there
 	std::vector<std::uint8_t> isShared_;  // per welded vertex: there are several in its place
-	bool isSoup_ = false;                 // no vertex of the operand has two faces
 	std::vector<GivenEdge> edges_;
 	UnionFind apart_;  // vertices that seams connect
 	UnionFind sides_;  // vertices that need not be apart
@@ -68,7 +67,6 @@ Triangle SeamFinder::cornersAsGiven(std::size_t face) const {
 Status SeamFinder::findPlaces(OperandId operand) {
 	places_.assign(mesh_.points.size(), VertexId::none());
 	isShared_.assign(mesh_.points.size(), 0);
-	std::vector<std::uint8_t> faces(mesh_.points.size(), 0);
 	const std::size_t first = mesh_.faceOffsets.begin(operand);
 	const auto look = [&](std::size_t begin, std::size_t end) {
 		for (std::size_t f = first + begin; f < first + end; ++f) {
@@ -83,14 +81,10 @@ Status SeamFinder::findPlaces(OperandId operand) {
 					at(isShared_, welded) = 1;
 				}
 				known = given[i];
-				at(faces, given[i]) =
-				    static_cast<std::uint8_t>(std::min(at(faces, given[i]) + 1, 2));
 			}
 		}
 	};
-	const Status status = inOrderFor(mesh_.faceOffsets.size(operand), kGrain, monitor_, look);
-	isSoup_ = std::find(faces.begin(), faces.end(), 2) == faces.end();
-	return status;
+	return inOrderFor(mesh_.faceOffsets.size(operand), kGrain, monitor_, look);
 }
 
 Status SeamFinder::listEdges(OperandId operand) {
@@ -119,7 +113,7 @@ void SeamFinder::compareEnds(VertexId a, VertexId b) {
 		return;
 	}
 	apart_.unite(a.value, b.value);
-	if (same_(a, b, !isSoup_)) {
+	if (same_(a, b)) {
 		sides_.unite(a.value, b.value);
 	}
 }

@@ -2,10 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // in: operands some of whose vertices were welded; out: which of those are the two sides of a seam
-// and stay apart in every output: a hard edge, or a border of a texture.
+// and stay apart in every output: a border of a texture, or of colours.
 // Guarantee: by indices, and by what the caller says of two vertices' attributes. Copies of a
-// vertex where an operand touches itself are no seam, nor are the corners of a triangle soup whose
-// attributes agree but for the normals, which then tell nothing.
+// vertex where an operand touches itself are no seam.
 #pragma once
 
 #include "vcg_ext/arrange/given_faces.h"
@@ -14,8 +13,8 @@
 
 namespace index_boolean {
 
-// Whether two vertices of one operand have the same attributes; with or without their normals.
-using SameAttributes = std::function<bool(VertexId a, VertexId b, bool alsoNormals)>;
+// Whether two vertices of one operand have the same attributes.
+using SameAttributes = std::function<bool(VertexId a, VertexId b)>;
 
 struct Seams {
 	// Per vertex as given: the first vertex in its place that it need not be apart from. Empty: no

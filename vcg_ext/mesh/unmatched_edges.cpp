@@ -5,6 +5,7 @@
 #include "vcg_ext/mesh/unmatched_edges.h"
 
 #include "vcg_ext/base/edge_table.h"
+#include "vcg_ext/mesh/boundary_checksum.h"
 
 #include <algorithm>
 
@@ -12,13 +13,19 @@ namespace index_boolean {
 
 namespace {
 
-std::vector<HalfEdge> halfEdgesOf(const Triangle* begin, const Triangle* end) {
+std::uint32_t indexOf(VertexId vertex) { return vertex.value; }
+std::uint32_t indexOf(std::uint32_t vertex) { return vertex; }
+
+// \param begin, end triangles of either kind
+template <class Corners>
+std::vector<HalfEdge> halfEdgesOf(const Corners* begin, const Corners* end) {
 	std::vector<HalfEdge> halfEdges;
 	halfEdges.reserve(3 * static_cast<std::size_t>(end - begin));
-	for (const Triangle* t = begin; t != end; ++t) {
+	for (const Corners* t = begin; t != end; ++t) {
 		for (std::size_t corner = 0; corner < 3; ++corner) {
-			halfEdges.push_back(makeHalfEdge((*t)[corner].value, (*t)[(corner + 1) % 3].value,
-			                                 static_cast<std::size_t>(t - begin), corner));
+			const std::uint32_t from = indexOf((*t)[corner]), to = indexOf((*t)[(corner + 1) % 3]);
+			halfEdges.push_back(
+			    makeHalfEdge(from, to, static_cast<std::size_t>(t - begin), corner));
 		}
 	}
 	return halfEdges;
@@ -50,6 +57,24 @@ void findUnmatchedEdges(const Triangle* begin, const Triangle* end, UnmatchedEdg
 	});
 	std::sort(out.faces.begin(), out.faces.end());
 	out.faces.erase(std::unique(out.faces.begin(), out.faces.end()), out.faces.end());
+}
+
+Status countUnmatchedEdges(const IndexTriangles& triangles, int threads, Monitor& monitor,
+                           std::size_t& count) {
+	count = 0;
+	const IndexTriangle* const begin = triangles.data();
+	const IndexTriangle* const end = begin + triangles.size();
+	std::uint64_t sum = 0;
+	const Status status = boundaryChecksum(begin, end, threads, monitor, sum);
+	if (sum != 0) {
+		UnmatchedEdges found;
+		std::vector<HalfEdge> halfEdges = halfEdgesOf(begin, end);
+		forEachEdge(halfEdges, [&found](auto first, auto last) {
+			judgeEdge(&*first, &*first + (last - first), found);
+		});
+		count = found.borderEdges + found.conflictingEdges;
+	}
+	return status;
 }
 
 }  // namespace index_boolean

@@ -6,6 +6,8 @@
 #pragma once
 
 #include "vcg_ext/base/mesh_types.h"
+#include "vcg_ext/base/monitor.h"
+#include "vcg_ext/base/status.h"
 
 #include <array>
 #include <vector>
@@ -23,5 +25,11 @@ struct UnmatchedEdges {
 // Finds all unmatched edges of the triangles [begin, end). "First" is by smaller, then by larger
 // vertex. Complexity: O(n log n), for surfaces that are refused.
 void findUnmatchedEdges(const Triangle* begin, const Triangle* end, UnmatchedEdges& out);
+
+// The number of unmatched edges, of either kind, of triangles that index points.
+// \return Ok or Cancelled. Throws std::bad_alloc. Complexity: O(n), in parallel, if there are none;
+// else O(n log n).
+Status countUnmatchedEdges(const IndexTriangles& triangles, int threads, Monitor& monitor,
+                           std::size_t& count);
 
 }  // namespace index_boolean

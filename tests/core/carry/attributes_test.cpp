@@ -54,8 +54,7 @@ Sources sourcesOf(const Mesh& a, const Mesh& b, Operation operation, bool same =
 	Monitor monitor;
 	Seams seams;
 	s.status = operandSeams(
-	    s.blocks.arrangement, given, [same](VertexId, VertexId, bool) { return same; }, monitor,
-	    seams);
+	    s.blocks.arrangement, given, [same](VertexId, VertexId) { return same; }, monitor, seams);
 	EXPECT_TRUE(s.status.ok());
 	s.status = attributeSources(s.blocks.arrangement, {given, seams, {true, partCurve}}, monitor,
 	                            s.block, s.sources);
