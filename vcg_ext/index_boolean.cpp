@@ -891,12 +891,18 @@ Status takeInside(const Arrangement& arrangement, Monitor& monitor, Reference& o
 Status takeTrusted(MeshArrays input, const Options& options, Monitor& monitor, Reference& out) {
 	Arrangement arrangement;
 	arrangement.options = options;
-	arrangement.mesh = std::move(input);
-	const Status status = prepareSoup(arrangement, monitor);
-	if (status.ok()) {
-		takeOperand(arrangement, out);
-	}
-	return status;
+	return inOrder(
+	    [&] {
+		    return weldNearVertices(options.weldDistance, monitor, input, arrangement.vertexWeld);
+	    },
+	    [&] {
+		    arrangement.mesh = std::move(input);
+		    return prepareSoup(arrangement, monitor);
+	    },
+	    [&] {
+		    takeOperand(arrangement, out);
+		    return Status{};
+	    });
 }
 
 }  // namespace

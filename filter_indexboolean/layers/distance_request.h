@@ -16,6 +16,7 @@ inline DistanceRequest readDistanceRequest(FilterId filter, const ParameterValue
 	request.options.selfIntersections =
 	    static_cast<SelfIntersections>(values.getInt("self_intersections"));
 	request.options.windingRule = static_cast<WindingRule>(values.getInt("winding_rule"));
+	request.options.weldDistance = lengthInRange(filter, "weld_distance", values);
 	request.distance.negate = values.getBool("negate");
 	const double maximum = lengthInRange(filter, "max_distance", values);
 	if (maximum > 0) {

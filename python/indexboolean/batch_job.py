@@ -29,7 +29,7 @@ from .plugin import HostError
 UNFINISHED = ".unfinished"  # beside the jobs' folders: what interrupted jobs leave
 FIGURES = ("faces", "volume", "self_intersections")  # of each block
 DISTANCE_FIGURES = ("hausdorff", *(f"{name}_{side}" for side in SIDES for name in STATISTICS))
-_DISTANCE_PARAMETERS = ("self_intersections", "winding_rule")
+_DISTANCE_PARAMETERS = ("self_intersections", "winding_rule", "weld_distance")
 _RECORD = "job.json"
 _IN_COLUMNS = re.compile(
     r'".*": \d+ faces?|Certified:|Index Boolean took|Hausdorff|Distance of|Colours:'

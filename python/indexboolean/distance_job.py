@@ -13,17 +13,14 @@ STATISTICS = ("min", "max", "mean", "rms", "mean_absolute", "beyond")
 SIDES = ("first", "second")
 
 
-def run_distance_job(job, plot=False, max_distance=0.0, **parameters):
+def run_distance_job(job, plot=False, **parameters):
     """Writes folder/first.ply, second.ply (unless it was not measured) and result.json.
 
     plot: distance.png and histogram.png, too. parameters are those of the filter. Returns (the
     filter's result map, the messages that it logged). Raises as Job.
     """
-    import pymeshlab
-
     result, messages = job.run(
-        "compute_index_boolean_distance", direction=True, closest=True,
-        max_distance=pymeshlab.PureValue(max_distance), **parameters,
+        "compute_index_boolean_distance", direction=True, closest=True, **parameters
     )
     files = {side: f"{side}.ply" for side in SIDES if f"min_{side}" in result}
     for layer, side in zip(job.operands, SIDES):
