@@ -88,7 +88,8 @@ BorderPlaces borderOf(const BorderPlaces& all) {
 	return out;
 }
 
-// Whether the border vanishes by pairs of its edges; not where all of them at a place fall into it.
+// Whether the border vanishes by pairs of its edges; not where an edge of it falls into one place,
+// as those of a small hole do.
 Status vanishes(const BorderPlaces& border, double distance, Monitor& monitor, bool& out) {
 	std::vector<std::uint32_t> smallest, wide;
 	const Status status =
@@ -98,19 +99,14 @@ Status vanishes(const BorderPlaces& border, double distance, Monitor& monitor, b
 	if (!out) {
 		return status;
 	}
-	enum : std::uint8_t { kCollapsed = 1, kKept = 2 };
-	std::vector<std::uint8_t> edgesAt(border.points.size(), 0);
 	std::vector<Edge> edges;
 	for (const Edge& edge : border.edges) {
-		const std::uint32_t a = smallest[edge[0]], b = smallest[edge[1]];
-		edgesAt[a] |= a == b ? kCollapsed : kKept;
-		edgesAt[b] |= a == b ? kCollapsed : kKept;
-		if (a != b) {
-			edges.push_back(makeEdge(a, b));
-		}
+		edges.push_back(makeEdge(smallest[edge[0]], smallest[edge[1]]));
 	}
+	const bool anyFalls = std::any_of(edges.begin(), edges.end(),
+	                                  [](const Edge& edge) { return edge[0] == edge[1]; });
 	keepOddEdges(edges);
-	out = edges.empty() && std::find(edgesAt.begin(), edgesAt.end(), kCollapsed) == edgesAt.end();
+	out = edges.empty() && !anyFalls;
 	return status;
 }
 
