@@ -27,7 +27,8 @@ Status auditSubBlocks(const Arrangement& arrangement, const SubSurfaces& surface
                       Monitor& monitor, SplitAudit& out);
 
 // \param mesh that of the clip \param measure replaced: of the mesh
-// \return Ok; InternalError if the mesh does not have the area of the clip's sub-surfaces
+// \return Ok; InternalError if the mesh, unless faces of it were cleaned away, does not have
+//         the area of the clip's sub-surfaces
 // Throws std::bad_alloc. Complexity: O(n) for all faces.
 Status auditClip(const Arrangement& arrangement, const SubSurfaces& surfaces,
                  const SubBlocks& blocks, const Clip& clip, const SplitMesh& mesh,
