@@ -531,8 +531,12 @@ Status Assembler::checkWindings(OperandId operand, const std::vector<std::uint32
 			queries[i].inside[corner] = exactPoint(arrangement_, t[corner]);
 		}
 	}
-	const Status status = findWindings(arrangement_.mesh, operand, {}, arrangement_.options.threads,
-	                                   monitor_, queries);
+	// Of many operands each has few faces: threads would wait for each other.
+	constexpr std::size_t kManyOperands = 8;
+	const bool areMany = arrangement_.mesh.operands().count() >= kManyOperands;
+	const Status status =
+	    findWindings(arrangement_.mesh, operand, {}, areMany ? 1 : arrangement_.options.threads,
+	                 monitor_, queries);
 	const int sign = arrangement_.insideOut[operand] ? -1 : 1;
 	for (std::size_t i = 0; i < faces.size() && status.ok(); ++i) {
 		const auto [inFront, behind] = std::pair(queries[i].inFront, queries[i].behind);
