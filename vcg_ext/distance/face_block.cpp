@@ -10,7 +10,7 @@ namespace index_boolean {
 
 namespace {
 
-Point laneOf(const std::array<Lanes, 3>& of, std::size_t lane) {
+Point laneOf(const std::array<FourNumbers, 3>& of, std::size_t lane) {
 	return {of[0][lane], of[1][lane], of[2][lane]};
 }
 

@@ -31,15 +31,15 @@
 namespace index_boolean {
 
 constexpr std::size_t kLanes = 4;
-using Lanes = std::array<double, kLanes>;
+using FourNumbers = std::array<double, kLanes>;
 
 // Four faces, each with its corners in the order of its shape: the corner opposite the longest edge
 // first, then the other two in lexicographic order. Lanes without a face repeat the first one.
 struct FaceBlock {
-	std::array<Lanes, 3> origin;         // the first corner
-	std::array<Lanes, 3> first, second;  // the edges from there
-	std::array<Lanes, 3> normal;         // of length 1; NaN where edges are too short for squares
-	std::array<Lanes, 3> inverse;        // of the squared lengths of first, second, and of the
+	std::array<FourNumbers, 3> origin;         // the first corner
+	std::array<FourNumbers, 3> first, second;  // the edges from there
+	std::array<FourNumbers, 3> normal;   // of length 1; NaN where edges are too short for squares
+	std::array<FourNumbers, 3> inverse;  // of the squared lengths of first, second, and of the
 	                                     // edge between their ends; 0 where those are too short
 	std::array<std::uint32_t, kLanes> face;  // kNone: a lane without a face
 };
@@ -56,7 +56,7 @@ inline double placeAlong(double product, double inverse) {
 
 // The squared distances of a point from the four faces. Complexity: O(1).
 [[gnu::always_inline]] inline void squaredDistances(const FaceBlock& f, const Point& point,
-                                                    Lanes& out) {
+                                                    FourNumbers& out) {
 	for (std::size_t k = 0; k < kLanes; ++k) {
 		const double qx = point[0] - f.origin[0][k], qy = point[1] - f.origin[1][k],
 		             qz = point[2] - f.origin[2][k];

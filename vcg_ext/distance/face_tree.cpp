@@ -43,7 +43,7 @@ inline double limitOf(double squared, double slack) {
 }
 
 [[gnu::always_inline]] inline void boxDistances(const FaceTreeNode& node, const Point& centred,
-                                                Lanes& out) {
+                                                FourNumbers& out) {
 	for (std::size_t k = 0; k < kLanes; ++k) {
 		double sum = 0;
 		for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -58,7 +58,7 @@ inline double limitOf(double squared, double slack) {
 }
 
 // Puts the children that may count on the stack, the nearest on top.
-[[gnu::always_inline]] inline std::size_t push(const FaceTreeNode& node, const Lanes& squared,
+[[gnu::always_inline]] inline std::size_t push(const FaceTreeNode& node, const FourNumbers& squared,
                                                double limit, Waiting* stack, std::size_t count) {
 	const std::size_t first = count;
 	for (std::size_t k = 0; k < kLanes; ++k) {
@@ -101,7 +101,7 @@ bool FaceTree::isBefore(const NearFace& a, const NearFace& b) const {
 
 [[gnu::always_inline]] inline void FaceTree::lookAt(std::uint32_t block, const Point& scaled,
                                                     NearFace& best) const {
-	Lanes squared;
+	FourNumbers squared;
 	squaredDistances(blocks_[block], scaled, squared);
 	for (std::uint32_t lane = 0; lane < kLanes; ++lane) {
 		if (!(squared[lane] <= best.squared) || blocks_[block].face[lane] == kNone) {
@@ -134,7 +134,7 @@ NearFace FaceTree::nearest(const Point& scaled, const NearFace& begin) const {
 			limit = best.squared < before ? limitOf(best.squared, slack_) : limit;
 			continue;
 		}
-		Lanes squared;
+		FourNumbers squared;
 		boxDistances(nodes_[next.child], centred, squared);
 		count = push(nodes_[next.child], squared, limit, stack.data(), count);
 	}
@@ -142,7 +142,7 @@ NearFace FaceTree::nearest(const Point& scaled, const NearFace& begin) const {
 }
 
 NearFace FaceTree::distanceTo(const NearFace& face, const Point& scaled) const {
-	Lanes squared;
+	FourNumbers squared;
 	squaredDistances(blocks_[face.block], scaled, squared);
 	return {squared[face.lane], face.block, face.lane};
 }
