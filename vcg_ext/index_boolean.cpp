@@ -415,9 +415,7 @@ Status refuseUnclosed(const Arrangement& arrangement) {
 		}
 		const bool isEmpty =
 		    !windsAround[operand] && arrangement.options.windingRule != WindingRule::Odd;
-		Status status = statusOf(isEmpty ? StatusCode::NoVolume : StatusCode::Ok);
-		status.operand = numberOf(operand);
-		return status;
+		return isEmpty ? refuseWithoutInside(arrangement, operand) : Status{};
 	});
 }
 

@@ -130,11 +130,6 @@ class LayersJob:
         return self.meshes.mesh(layer)
 
     @property
-    def operands(self):
-        """The ids of both operands' layers."""
-        return tuple(self._operands)
-
-    @property
     def folder(self):
         """Where files go."""
         return self._folder

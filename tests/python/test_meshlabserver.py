@@ -77,15 +77,14 @@ def test_blocksAreThoseOfTheCoreInFloatAndOfPymeshlab(program, tmp_path, pair):
         expect_rounded(vertices, exact)
 
 
-def test_roundingToFloatIsCleanedAsByTheCore(program, tmp_path):
+def test_wallsNearerThanFloatsAreAsTheCoreHasThem(program, tmp_path):
     (vertices, faces), angle = sphere(), 1e-7
     x, y, _ = vertices.T
     turned = vertices + angle * np.stack([y, -x, np.ones(len(vertices))], 1)
     operands = [
         (points.astype(np.float32).astype(np.float64), faces) for points in (vertices, turned)
     ]
-    core, cleaned = core_in_float(operands, tmp_path)
-    assert cleaned > 0
+    core, _ = core_in_float(operands, tmp_path)
     files = [saved(mesh, tmp_path / f"{k}.ply") for k, mesh in enumerate(operands)]
     blocks = server_blocks(program, files, tmp_path)
     expect_equal(blocks, core)
