@@ -174,7 +174,7 @@ def test_ourOwnLayerOfBlocksCountsAsClosed():
 
 
 def concave_prism(folder, suffix):
-    """A file with an L-shaped prism, of polygons that begin beside a far corner."""
+    """A file with an L-shaped prism; a fan from the first corner of its lid leaves the lid."""
     outline = [(3, 0), (3, 1), (1, 1), (1, 3), (0, 3), (0, 0)]
     n = len(outline)
     points = [(x, y, z) for z in (0, 2) for x, y in outline]
@@ -208,5 +208,5 @@ def test_concavePolygonsThatWereReadAsFansAreNamed(tmp_path, suffix, is_folded):
     assert done.returncode == 0, done.stderr
     result = json.loads((tmp_path / "out" / "result.json").read_text())
     assert result["union_volume"] == pytest.approx(11)
-    assert ("2 polygons with triangles that lie on each other" in done.stderr) == is_folded
+    assert ("has 1 polygon with triangles that lie on each other" in done.stderr) == is_folded
     assert (result["self_intersecting_faces_first"] > 0) == is_folded
