@@ -268,8 +268,8 @@ std::string resolvedMessage(const LayerName& layer, std::size_t faces) {
 
 std::string foldedFansMessage(const LayerName& layer, std::size_t polygons) {
 	return "Layer " + quoted(layer) + " has " + counted(polygons, "polygon") +
-	       " with triangles that lie on each other, as MeshLab's readers of PLY and OFF files make "
-	       "of concave polygons. Its reader of OBJ files does not.";
+	       " with triangles that lie on each other, as MeshLab's reader of PLY files makes of "
+	       "concave polygons. Its reader of OBJ files does not.";
 }
 
 std::string weldedMessage(const VertexWeld& weld) {

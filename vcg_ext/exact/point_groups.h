@@ -14,9 +14,9 @@
 namespace index_boolean {
 
 // Groups points: two of them are in one group if a chain of points leads from one to the other,
-// each nearer to the next than the distance. \param distance greater than 0, finite, as all
-// coordinates \param smallest replaced: per point, the index of the lexicographically smallest
-// point of its
+// each nearer to the next than the distance.
+// \param distance greater than 0, finite, as all coordinates
+// \param smallest replaced: per point, the index of the lexicographically smallest point of its
 //                 group; of equal points the one that comes first
 // \return Ok or Cancelled. Throws std::bad_alloc.
 // Complexity: O(n) as expected: a grid whose cells are a few distances wide leaves few neighbours,
