@@ -363,7 +363,7 @@ class TestRefusals:
     def test_doubleSidedLayersAreRefused(self):
         vertices, faces = ROW[1]
         mesh_set = document(ROW[0], (vertices, np.concatenate([faces, faces[:, ::-1]])))
-        with pytest.raises(pymeshlab.PyMeshLabException, match=r'"B" \(id 1\) .*both directions'):
+        with pytest.raises(pymeshlab.PyMeshLabException, match=r'"B" \(id 1\) .*double-sided'):
             evaluate(mesh_set, "0 - 1")
 
     def test_selfIntersectionsAreRefusedIfAsked(self):
