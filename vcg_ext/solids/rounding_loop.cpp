@@ -74,6 +74,7 @@ private:
 		return v.value < latest_->vertexOf.size() ? at(latest_->vertexOf, v) : VertexId::none();
 	}
 	static bool takesRound(const PlaceRepair& before, const PlaceRepair& after, double reach);
+	bool hasGrown() const;
 	void report();
 	const Arrangement& latest() const { return latest_ ? latest_->arrangement : first_; }
 
@@ -174,11 +175,21 @@ bool RoundingLoop::takesRound(const PlaceRepair& before, const PlaceRepair& afte
 	       (isBetter && before.faultsAfter <= kFewFaults) || reach >= kLargestReach;
 }
 
+// Whether the next round would be of much more than the first: it grows then from round to round, on
+// walls that are nearly coplanar.
+bool RoundingLoop::hasGrown() const {
+	const auto size = [](const Arrangement& arrangement) {
+		return arrangement.mesh.triangles.size() + arrangement.refinement.pieces.size();
+	};
+	constexpr std::size_t kRoom = 200;
+	return size(latest()) > 2 * size(first_) + kRoom;
+}
+
 Status RoundingLoop::run() {
-	constexpr std::size_t kMostRounds = 12, kFewFaces = 300;
+	constexpr std::size_t kMostRounds = 8, kFewFaces = 300;
 	double reach = first_.placeRepair.concernedAfter > kFewFaces ? 1 : 0;
 	std::size_t fewest = first_.placeRepair.faultsAfter;
-	for (std::size_t i = 0; i < kMostRounds && fewest > 0; ++i) {
+	for (std::size_t i = 0; i < kMostRounds && fewest > 0 && !hasGrown(); ++i) {
 		auto next = std::make_shared<StoredAgain>();
 		const Status status = arrangeOnceMore(reach, *next);
 		if (status.code == StatusCode::Cancelled || status.code == StatusCode::OutOfMemory) {
