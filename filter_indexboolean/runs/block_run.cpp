@@ -74,6 +74,7 @@ Status readBlocks(const Arrangement& arrangement, const BlockReader& reader,
 	// Vertices that part here have been audited as one: a block is closed across its seams.
 	const Stopwatch sourcesTime;
 	Monitor finding = progress.nextPhase(kSourcesShare);
+	finding.beginStage("attributes", 0, 1);
 	if (request.attributes.given) {
 		status =
 		    findSources(arrangement, request.attributes, finding, result.blocks, result.sources);
