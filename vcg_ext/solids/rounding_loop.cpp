@@ -175,8 +175,8 @@ bool RoundingLoop::takesRound(const PlaceRepair& before, const PlaceRepair& afte
 	       (isBetter && before.faultsAfter <= kFewFaults) || reach >= kLargestReach;
 }
 
-// Whether the next round would be of much more than the first: it grows then from round to round, on
-// walls that are nearly coplanar.
+// Whether the next round would be of much more than the first: it grows then from round to round,
+// on walls that are nearly coplanar.
 bool RoundingLoop::hasGrown() const {
 	const auto size = [](const Arrangement& arrangement) {
 		return arrangement.mesh.triangles.size() + arrangement.refinement.pieces.size();
