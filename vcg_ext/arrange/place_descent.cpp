@@ -329,7 +329,7 @@ bool PlaceDescent::runRound(double reach, Kind kind) {
 		if (isDone()) {
 			break;
 		}
-		if (cluster.faces.size() > kMostFacesTogether) {
+		if (isMany_ && cluster.faces.size() > kMostFacesTogether) {
 			isAnyTooLarge_ = true;
 			continue;
 		}
@@ -352,8 +352,11 @@ Status PlaceDescent::run() {
 	report.faultsBefore = faults_.count();
 	// A fault that goes takes about ten; what needs many more, the rounding loop cures sooner.
 	constexpr std::size_t kFewTrials = 1000, kTrialsPerFault = 10, kMostTrials = 60000;
-	mostTrialsInAll_ = std::min(kMostTrials, kFewTrials + kTrialsPerFault * faults_.count());
-	if (isMostlyTooLarge()) {
+	isMany_ = faults_.concernedCount() > 300;  // else the rounding loop does not follow
+	mostTrialsInAll_ = isMany_
+	                       ? std::min(kMostTrials, kFewTrials + kTrialsPerFault * faults_.count())
+	                       : kMostTrials;
+	if (isMany_ && isMostlyTooLarge()) {
 		report.isGivenUp = true;
 		report.concernedAfter = report.concernedBefore;
 		report.faultsAfter = report.faultsBefore;

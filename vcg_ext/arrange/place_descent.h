@@ -84,6 +84,7 @@ private:
 	std::size_t mostTrials_ = 0;  // until the cluster's turn ends
 	std::size_t mostTrialsInAll_ = 0;
 	bool mayMoveInputs_ = false;
+	bool isMany_ = false;
 	bool isAnyTooLarge_ = false;          // of the round's clusters
 	std::vector<std::uint8_t> isRanked_;  // per vertex of the surface
 	std::vector<std::uint32_t> rankOf_, ranked_;

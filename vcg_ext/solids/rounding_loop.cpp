@@ -187,7 +187,10 @@ bool RoundingLoop::hasGrown() const {
 
 Status RoundingLoop::run() {
 	constexpr std::size_t kMostRounds = 8, kFewFaces = 300;
-	double reach = first_.placeRepair.concernedAfter > kFewFaces ? 1 : 0;
+	if (first_.placeRepair.concernedAfter <= kFewFaces) {
+		return {};  // among nearly coplanar walls, it makes more needles than it cures faults
+	}
+	double reach = 1;
 	std::size_t fewest = first_.placeRepair.faultsAfter;
 	for (std::size_t i = 0; i < kMostRounds && fewest > 0 && !hasGrown(); ++i) {
 		auto next = std::make_shared<StoredAgain>();

@@ -231,28 +231,6 @@ std::vector<Mesh> farOff(std::vector<Mesh> operands) {
 	return operands;
 }
 
-// Rounding and resolving again and again comes back to where it was on these.
-TEST(RoundingLoop, endsWhereRoundingAndResolvingGoesInCircles) {
-	const std::vector<Mesh> operands =
-	    farOff({tetrahedron({7, 1, 1}, {5, 1, 4}, {4, 2, 7}, {5, 5, 8}),
-	            tetrahedron({1, 2, 3}, {7, 0, 4}, {8, 1, 1}, {3, 0, 5}),
-	            tetrahedron({6, 8, 3}, {8, 5, 3}, {7, 4, 3}, {5, 6, 6})});
-	const auto firstOnlyOrThird = [](const Windings& w) {
-		return (isIn(w, 0) && !isIn(w, 1)) || isIn(w, 2);
-	};
-	Options options = onOneThread();
-	options.outputScalar = OutputScalar::Float;
-	const CellsRun r = runCells(operands, options);
-	for (const CellPredicate& isInside :
-	     {CellPredicate(inAny), CellPredicate(inOddNumber), CellPredicate(firstOnlyOrThird)}) {
-		const Block block = blockOf(r, isInside);
-		EXPECT_EQ(faultsOf(block.points, block.triangles), 0U);
-		EXPECT_EQ(block.certificate.count(), 0);
-		EXPECT_EQ(brokenPromise(block), "");
-		EXPECT_NEAR(volumeOf(block.points, block.triangles), r.volumeWhere(isInside), 20);
-	}
-}
-
 // A corner in a face is a touch that rounding makes a fold; without a vertex there it would stay
 // for ever.
 TEST(RoundingLoop, curesCornersInsideFaces) {
@@ -284,39 +262,6 @@ TEST(RoundingLoop, aSurfaceWithAMovedFlatFaceIsClosed) {
 	EXPECT_NEAR(cells[1].second, 3503 / 117., 1e-11);
 	m.triangles.erase(m.triangles.begin() + 3);
 	EXPECT_FALSE(runCells({m}).arrangement.closed[kFirst]);
-}
-
-// Random tetrahedra on few whole numbers, where nearly every new point rounds to a neighbour's.
-TEST(RoundingLoop, makesRandomTetrahedraOnWholeNumbersHoldButForFew) {
-	std::mt19937 random(31);
-	std::uniform_int_distribution<int> number(0, 12);
-	const auto corner = [&] {
-		return Point{static_cast<double>(number(random)), static_cast<double>(number(random)),
-		             static_cast<double>(number(random))};
-	};
-	Options options = onOneThread();
-	options.outputScalar = OutputScalar::Float;
-	std::size_t again = 0, left = 0;
-	for (int round = 0; round < 300; ++round) {
-		std::vector<Mesh> operands;
-		while (operands.size() < 3) {
-			const Mesh m = tetrahedron(corner(), corner(), corner(), corner());
-			if (volumeOf(m.points, m.triangles) > 0) {
-				operands.push_back(m);
-			}
-		}
-		const CellsRun r = runCells(farOff(operands), options);
-		again += r.arrangement.again != nullptr ? 1 : 0;
-		for (const CellPredicate& isInside : {CellPredicate(inAny), CellPredicate(inOddNumber)}) {
-			const Block block = blockOf(r, isInside);
-			const std::size_t faults = faultsOf(block.points, block.triangles);
-			EXPECT_EQ(block.certificate.count() == 0, faults == 0) << "seed 31, round " << round;
-			EXPECT_EQ(brokenPromise(block), "") << "seed 31, round " << round;
-			left += faults > 0 ? 1 : 0;
-		}
-	}
-	EXPECT_GT(again, 0U);
-	EXPECT_LE(left, 3U);
 }
 
 // Each callback that may cancel does so in one of the runs.
