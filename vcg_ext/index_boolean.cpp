@@ -25,16 +25,19 @@
 #include "vcg_ext/base/parallel.h"
 #include "vcg_ext/carry/certificates.h"
 #include "vcg_ext/carry/polygons.h"
+#include "vcg_ext/distance/operand_reference.h"
 #include "vcg_ext/mesh/clean.h"
 #include "vcg_ext/mesh/closing_distance.h"
 #include "vcg_ext/mesh/near_vertices.h"
 #include "vcg_ext/mesh/unmatched_edges.h"
+#include "vcg_ext/solids/block_audit.h"
 #include "vcg_ext/solids/cell_labels.h"
 #include "vcg_ext/solids/delaunay_pieces.h"
 #include "vcg_ext/solids/kept_cuts.h"
 #include "vcg_ext/solids/labels.h"
 #include "vcg_ext/solids/manifold_copies.h"
 #include "vcg_ext/solids/merge_fragments.h"
+#include "vcg_ext/solids/operand_refusals.h"
 #include "vcg_ext/solids/overlap_owners.h"
 #include "vcg_ext/solids/rounding_loop.h"
 #include "vcg_ext/solids/turned_components.h"
@@ -139,44 +142,6 @@ Status finishBlock(const Arrangement& arrangement, Monitor& monitor, Block& bloc
 		                          : copyNonManifoldAsStored(options.outputScalar, monitor, block);
 	               },
 	               [&] { return dropTurnedComponents(arrangement, first, monitor, block); });
-}
-
-// The volume of each operation's block, NaN if it was not delivered.
-using BlockVolumes = std::array<double, kOperationCount>;
-
-// The largest |law| over the laws whose blocks have all been delivered.
-double largestLaw(const PerOperand<double>& operand, const BlockVolumes& volumes) {
-	const auto of = [&volumes](Operation o) { return volumes[static_cast<std::size_t>(o)]; };
-	const double either = of(Operation::Union);
-	const double both = of(Operation::Intersection);
-	const double firstOnly = of(Operation::FirstMinusSecond);
-	const double secondOnly = of(Operation::SecondMinusFirst);
-	const double one = of(Operation::SymmetricDifference);
-	const double laws[] = {
-	    either + both - operand[kFirst] - operand[kSecond],
-	    firstOnly + both - operand[kFirst],
-	    secondOnly + both - operand[kSecond],
-	    either - firstOnly - operand[kSecond],
-	    either - secondOnly - operand[kFirst],
-	    one - firstOnly - secondOnly,
-	    one + 2 * both - operand[kFirst] - operand[kSecond],
-	};
-	double most = 0;
-	for (const double law : laws) {
-		most = std::fmax(most, std::fabs(law));  // fmax passes over NaN: a block not delivered
-	}
-	return most;
-}
-
-// A largest |law| over the sum of the operands' volumes.
-double residualOf(const Arrangement& arrangement, double most) {
-	double whole = 0;
-	for (const double volume : arrangement.volume) {
-		whole += volume;
-	}
-	// Of volumes beyond the range of double no law tells anything; closedness is what counts then.
-	const double residual = most / whole;
-	return std::isfinite(residual) ? residual : 0;
 }
 
 // What an arrangement is for: blocks need closed operands and labels, splitting needs neither.
@@ -340,83 +305,11 @@ Status arrangeSurfaces(MeshArrays input, const Options& options, Monitor& monito
 
 namespace {
 
-// Whether a refusal of operands that have to be embedded is none of operands that need not be.
-bool isOnlyForEmbedded(StatusCode code, SelfIntersections selfIntersections) {
-	switch (code) {
-	case StatusCode::SelfIntersecting:
-		return selfIntersections != SelfIntersections::Refuse;
-	case StatusCode::NestedComponents:
-	case StatusCode::NotClosed:
-	case StatusCode::NotOriented:
-	case StatusCode::NoVolume:
-		return true;
-	default:
-		return false;
-	}
-}
-
 Status arrangeAgain(Purpose purpose, const InputAgain& again, const Options& options,
                     Monitor& monitor, Arrangement& out) {
 	MeshArrays input;
 	const Status status = guarded([&] { return again(input); });
 	return status.ok() ? arrangeFor(purpose, std::move(input), options, monitor, out) : status;
-}
-
-// Of an operand that encloses nothing. All of its faces may cancel: it is a double-sided model
-// then, but under the rule Odd a set like any other.
-Status refuseWithoutInside(const Arrangement& arrangement, OperandId operand) {
-	const MeshArrays& mesh = arrangement.mesh;
-	const bool isOdd = arrangement.options.windingRule == WindingRule::Odd;
-	const std::size_t pairs = cancellingPairs(mesh, operand, isOdd);
-	Status status;
-	if (pairs == 0 || !isOdd) {
-		status.code = pairs == 0 ? StatusCode::NoVolume : StatusCode::EmptyOperand;
-		status.operand = numberOf(operand);
-		status.count = pairs;
-	}
-	return status;
-}
-
-// Ok, or the first operand of which no block can be made: it is open, or encloses nothing.
-Status refuseEmptyOperands(const Arrangement& arrangement) {
-	return forEachOperand(arrangement.mesh.operands(), [&](OperandId operand) {
-		if (!arrangement.closed[operand]) {
-			return refuseOpen(arrangement, operand);
-		}
-		const auto& windings = arrangement.cells.windings;
-		const bool isEmpty = std::all_of(windings.begin(), windings.end(), [&](const auto& w) {
-			return !isInside(arrangement.options.windingRule, w[operand]);
-		});
-		return isEmpty ? refuseWithoutInside(arrangement, operand) : Status{};
-	});
-}
-
-// Ok, or the first operand that has no face.
-Status refuseWithoutFaces(const MeshArrays& input) {
-	return forEachOperand(input.operands(), [&](OperandId operand) {
-		Status status = statusOf(input.faceOffsets.size(operand) == 0 ? StatusCode::EmptyOperand
-		                                                              : StatusCode::Ok);
-		status.operand = numberOf(operand);
-		return status;
-	});
-}
-
-// Ok, or the first operand that is open, or around nothing of which it winds.
-Status refuseUnclosed(const Arrangement& arrangement) {
-	PerOperand<bool> windsAround(arrangement.mesh.operands().count());
-	for (const PerOperand<std::int32_t>& windings : arrangement.cells.windings) {
-		for (const OperandId operand : windings.operands()) {
-			windsAround[operand] = windsAround[operand] || windings[operand] != 0;
-		}
-	}
-	return forEachOperand(arrangement.mesh.operands(), [&](OperandId operand) {
-		if (!arrangement.closed[operand]) {
-			return refuseOpen(arrangement, operand);
-		}
-		const bool isEmpty =
-		    !windsAround[operand] && arrangement.options.windingRule != WindingRule::Odd;
-		return isEmpty ? refuseWithoutInside(arrangement, operand) : Status{};
-	});
 }
 
 // The refusal of an open operand, with the distance that would close it, if there is one. It is
@@ -454,7 +347,7 @@ Status arrangeExpression(MeshArrays input, const Expression& expression, const O
 		asked.windingRule = isParityAll ? WindingRule::Odd : WindingRule::Nonzero;
 		return inOrder([&] { return refuseWithoutFaces(input); },
 		               [&] { return arrangeCells(std::move(input), asked, monitor, out); },
-		               [&] { return refuseUnclosed(out); });
+		               [&] { return refuseUnlessSolids(out); });
 	});
 }
 
@@ -465,7 +358,7 @@ Status arrangeOperands(MeshArrays input, const InputAgain& again, const Options&
 		return status;
 	}
 	Status result = inOrder([&] { return arrangeAgain(kCells, again, options, monitor, out); },
-	                        [&] { return refuseEmptyOperands(out); });
+	                        [&] { return refuseUnlessSolids(out); });
 	return result.code == StatusCode::NotClosed
 	           ? withClosingDistance(std::move(result), again, options, monitor)
 	           : result;
@@ -746,38 +639,12 @@ Status countOpenEdges(const SourcedMesh& mesh, int threads, Monitor& monitor, st
 	return guarded([&] { return countUnmatchedEdges(mesh.triangles, threads, monitor, count); });
 }
 
-namespace {
-
-// Measures blocks; \return InternalError if one is not closed.
-Status measureBlocks(const Arrangement& arrangement, const std::vector<Block>& blocks,
-                     Monitor& monitor, Audit& out) {
-	Status status;
-	out = Audit{};
-	for (const Block& block : blocks) {
-		out.blocks.push_back(
-		    measureSurface(block.points, block.triangles, arrangement.options.threads));
-		if (!out.blocks.back().closed) {
-			status.code = StatusCode::InternalError;
-		}
-	}
-	if (status.ok() && pollCancelled(monitor)) {
-		status.code = StatusCode::Cancelled;
-	}
-	return status;
-}
-
-}  // namespace
-
 Status audit(const Arrangement& arrangement, const std::vector<Block>& blocks, Monitor& monitor,
              Audit& out) {
 	return guarded([&] {
-		const Status status = measureBlocks(arrangement, blocks, monitor, out);
-		BlockVolumes volumes;
-		volumes.fill(std::nan(""));
-		for (std::size_t i = 0; i < blocks.size(); ++i) {
-			volumes[static_cast<std::size_t>(blocks[i].operation)] = out.blocks[i].volume;
-		}
-		out.volumeLawResidual = residualOf(arrangement, largestLaw(arrangement.volume, volumes));
+		out = Audit{};
+		const Status status = measureBlocks(arrangement, blocks, monitor, out.blocks);
+		out.volumeLawResidual = lawResidual(arrangement, blocks, out.blocks);
 		return status;
 	});
 }
@@ -785,16 +652,9 @@ Status audit(const Arrangement& arrangement, const std::vector<Block>& blocks, M
 Status audit(const Arrangement& arrangement, const std::vector<Block>& blocks,
              const std::vector<CellSet>& cells, Monitor& monitor, Audit& out) {
 	return guarded([&] {
-		const Status status = measureBlocks(arrangement, blocks, monitor, out);
-		double most = 0;
-		for (std::size_t i = 0; i < blocks.size(); ++i) {
-			double volume = 0;
-			for (std::size_t cell = 0; cell < cells[i].size(); ++cell) {
-				volume += cells[i][cell] != 0 ? arrangement.cells.volume[cell] : 0;
-			}
-			most = std::fmax(most, std::fabs(out.blocks[i].volume - volume));
-		}
-		out.volumeLawResidual = residualOf(arrangement, most);
+		out = Audit{};
+		const Status status = measureBlocks(arrangement, blocks, monitor, out.blocks);
+		out.volumeLawResidual = cellResidual(arrangement, cells, out.blocks);
 		return status;
 	});
 }
@@ -817,45 +677,6 @@ Status audit(const Arrangement& arrangement, const Split& split, const Clip& cli
 
 namespace {
 
-// The vertices that faces use, in their order, in place of all.
-template <class AnyPoints>
-void takePoints(const AnyPoints& points, Reference& out) {
-	std::vector<std::uint32_t> number(points.size(), kNone);
-	for (const IndexTriangle& triangle : out.triangles) {
-		for (const std::uint32_t corner : triangle) {
-			number[corner] = 0;
-		}
-	}
-	for (std::size_t vertex = 0; vertex < number.size(); ++vertex) {
-		if (number[vertex] != kNone) {
-			number[vertex] = static_cast<std::uint32_t>(out.points.size());
-			out.points.push_back(points[vertex]);
-		}
-	}
-	for (IndexTriangle& triangle : out.triangles) {
-		for (std::uint32_t& corner : triangle) {
-			corner = number[corner];
-		}
-	}
-}
-
-// The operand's faces as prepared, right side out.
-void takeOperand(const Arrangement& arrangement, Reference& out) {
-	out.isClosed = arrangement.closed[kFirst];
-	out.wasInsideOut = out.isClosed && arrangement.volume[kFirst] < 0;
-	out.volume = out.isClosed ? std::fabs(arrangement.volume[kFirst]) : 0;
-	const Triangles& triangles = arrangement.mesh.triangles;
-	for (std::size_t face = 0; face < triangles.size(); ++face) {
-		const Triangle& t = triangles[face];
-		out.triangles.push_back({t[0].value, t[1].value, t[2].value});
-		if (out.wasInsideOut) {
-			std::swap(out.triangles.back()[1], out.triangles.back()[2]);
-		}
-		out.faceGiven.push_back(arrangement.givenFace(makeId<FaceTag>(face)));
-	}
-	takePoints(arrangement.mesh.points, out);
-}
-
 // The boundary of what the rule calls inside.
 Status takeInside(const Arrangement& arrangement, Monitor& monitor, Reference& out) {
 	const WindingRule rule = arrangement.options.windingRule;
@@ -863,26 +684,8 @@ Status takeInside(const Arrangement& arrangement, Monitor& monitor, Reference& o
 	const auto inside = [rule](const PerOperand<std::int32_t>& windings) {
 		return isInside(rule, windings[kFirst]);
 	};
-	Status status = extractBlock(arrangement, inside, monitor, block);
-	if (status.ok() && block.triangles.empty()) {
-		status.code = StatusCode::NoVolume;
-		status.operand = numberOf(kFirst);
-	}
-	if (!status.ok()) {
-		return status;
-	}
-	out.isClosed = true;
-	out.wasInsideOut = arrangement.insideOut[kFirst];
-	out.volume = arrangement.volume[kFirst];
-	out.isResolved = block.triangles.size() != arrangement.mesh.triangles.size() ||
-	                 !arrangement.refinement.cutFaces.empty();
-	out.rule = WindingRule::Nonzero;  // the boundary winds once around what is inside
-	out.triangles = std::move(block.triangles);
-	for (const FaceSource& source : block.faceSource) {
-		out.faceGiven.push_back(arrangement.givenFace(source.face));
-	}
-	takePoints(block.points, out);
-	return {};
+	return inOrder([&] { return extractBlock(arrangement, inside, monitor, block); },
+	               [&] { return takeBoundary(arrangement, block, out); });
 }
 
 // The operand's faces as they are: only checked and welded.

@@ -20,8 +20,8 @@ from test_filter import log_of
 FIRST = box((0, 0, 0), (2, 2, 2))
 SECOND = box((1, 1.125, 1.25), (2.5, 2.625, 2.75))
 SHEET = box((0.1, -1, 0.3), (1.7, 3, 1.1))  # its coordinates are no floats
-# Corners on whole numbers that, as floats, can be nothing else: the rounding loop leaves faces that
-# meet others wrongly where all three are one or three.
+# Corners on whole numbers that, as floats, can be nothing else: faces that meet others wrongly are
+# left where one or three of the solids are.
 FAR_OFF = 2.0**23
 CORNERS = (
     [(12, 1, 8), (6, 12, 0), (8, 10, 7), (8, 4, 9)],

@@ -12,6 +12,7 @@
 #include "vcg_ext/mesh/near_vertices.h"
 #include "vcg_ext/mesh/sourced_mesh.h"
 
+#include <algorithm>
 #include <map>
 #include <memory>
 #include <string>
@@ -223,6 +224,16 @@ struct CellLabels {
 	};
 	std::vector<Source> otherSources;
 
+	// Calls visit(source) for the other input faces that have a piece. O(log k + m) for m of k.
+	template <class Visit>
+	void visitOtherSources(std::uint32_t piece, Visit&& visit) const {
+		const auto before = [](const Source& s, std::uint32_t p) { return s.piece < p; };
+		for (auto s = std::lower_bound(otherSources.begin(), otherSources.end(), piece, before);
+		     s != otherSources.end() && s->piece == piece; ++s) {
+			visit(*s);
+		}
+	}
+
 	bool areKnown() const { return !windings.empty(); }
 };
 
@@ -254,6 +265,9 @@ struct Polygons {
 // What became of the faces of both refined surfaces that, as stored, meet others wrongly or have no
 // area: the faces concerned. All are 0 if there was none.
 struct PlaceRepair {
+	// So few faces concerned are left to repair_places alone; more go on to the rounding loop.
+	static constexpr std::size_t kFewFaces = 300;
+
 	std::size_t concernedBefore = 0, concernedAfter = 0;  // faces
 	std::size_t faultsBefore = 0, faultsAfter = 0;        // pairs and zero-area faces
 	std::size_t rounds = 0;                               // over all clusters of such faces

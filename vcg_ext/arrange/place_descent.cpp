@@ -352,7 +352,7 @@ Status PlaceDescent::run() {
 	report.faultsBefore = faults_.count();
 	// A fault that goes takes about ten; what needs many more, the rounding loop cures sooner.
 	constexpr std::size_t kFewTrials = 1000, kTrialsPerFault = 10, kMostTrials = 60000;
-	isMany_ = faults_.concernedCount() > 300;  // else the rounding loop does not follow
+	isMany_ = faults_.concernedCount() > PlaceRepair::kFewFaces;
 	mostTrialsInAll_ = isMany_
 	                       ? std::min(kMostTrials, kFewTrials + kTrialsPerFault * faults_.count())
 	                       : kMostTrials;

@@ -6,6 +6,8 @@
 #include "vcg_ext/arrange/stored_operands.h"
 
 #include "vcg_ext/arrange/places.h"
+#include "vcg_ext/arrange/refined_triangles.h"
+#include "vcg_ext/base/parallel.h"
 #include "vcg_ext/base/sorted_list.h"
 
 #include <algorithm>
@@ -18,29 +20,23 @@ namespace {
 
 class OperandTaker {
 public:
-	OperandTaker(const Arrangement& arrangement, StoredOperands& out)
-	    : arrangement_(arrangement), mesh_(arrangement.mesh), out_(out),
+	OperandTaker(const Arrangement& arrangement, Monitor& monitor, StoredOperands& out)
+	    : arrangement_(arrangement), mesh_(arrangement.mesh), monitor_(monitor), out_(out),
 	      jumps_(arrangement.mesh.operands().count()),
 	      numbers_(arrangement.mesh.points.size() + arrangement.curve.pointCount(), kNone) {}
 
-	void run();
+	Status run();
 
 private:
-	void takeAll(OperandId operand);
+	template <class Visit>
+	Status visitAll(std::size_t first, std::size_t count, Visit&& visit) const;
+	Status takeAll(OperandId operand);
+	Status takeOperand(OperandId operand);
 	void listJumps(const Triangle& corners, FaceId face, std::uint32_t piece);
-	std::array<Point, 3> placesOf(FaceId face) const;
 	FaceSource sourceOf(OperandId operand, FaceId face, std::uint32_t piece) const;
 	void add(const Triangle& corners, const FaceSource& source, std::uint32_t piece, bool isTurned);
 	VertexId numberOf(VertexId vertex);
 	std::uint32_t classOf(OperandId operand, FaceId face) const;
-
-	// Calls visit(corners, face, piece) for the faces [begin, end): for each that is not cut, with
-	// kNone, and for all pieces of the others.
-	template <class Visit>
-	void visitTriangles(std::uint32_t begin, std::uint32_t end, Visit&& visit) const;
-
-	template <class Visit>
-	void visitOtherSources(std::uint32_t piece, Visit&& visit) const;
 
 	// A triangle that an operand's winding number changes across.
 	struct Jump {
@@ -52,6 +48,7 @@ private:
 
 	const Arrangement& arrangement_;
 	const MeshArrays& mesh_;
+	Monitor& monitor_;
 	StoredOperands& out_;
 	PerOperand<std::vector<Jump>> jumps_;
 	std::vector<std::uint32_t> numbers_;  // per vertex: in the operand that is being taken
@@ -80,67 +77,36 @@ void OperandTaker::add(const Triangle& corners, const FaceSource& source, std::u
 	out_.pieceOf.push_back(piece);
 }
 
+// As visitRefined, with a look at the monitor now and then.
 template <class Visit>
-void OperandTaker::visitTriangles(std::uint32_t begin, std::uint32_t end, Visit&& visit) const {
-	const Refinement& refinement = arrangement_.refinement;
-	const auto first =
-	    std::lower_bound(refinement.cutFaces.begin(), refinement.cutFaces.end(), FaceId{begin},
-	                     [](const CutFace& cut, FaceId face) { return cut.face < face; });
-	auto cut = static_cast<std::size_t>(first - refinement.cutFaces.begin());
-	for (std::uint32_t f = begin; f < end; ++f) {
-		if (refinement.isCut[f] == 0) {
-			visit(mesh_.triangles[f], FaceId{f}, kNone);
-			continue;
-		}
-		const Refinement::PieceRange pieces = refinement.piecesOf(cut++);
-		for (std::size_t piece = pieces.begin; piece < pieces.end; ++piece) {
-			visit(refinement.pieces[piece], FaceId{f}, static_cast<std::uint32_t>(piece));
-		}
-	}
-}
-
-// Calls visit(source) for the input faces that have a piece besides its own.
-template <class Visit>
-void OperandTaker::visitOtherSources(std::uint32_t piece, Visit&& visit) const {
-	const auto& all = arrangement_.cells.otherSources;
-	const auto before = [](const CellLabels::Source& s, std::uint32_t p) { return s.piece < p; };
-	for (auto s = std::lower_bound(all.begin(), all.end(), piece, before);
-	     s != all.end() && s->piece == piece; ++s) {
-		visit(*s);
-	}
+Status OperandTaker::visitAll(std::size_t first, std::size_t count, Visit&& visit) const {
+	constexpr std::size_t kGrain = 1 << 14;
+	return inOrderFor(count, kGrain, monitor_, [&](std::size_t begin, std::size_t end) {
+		visitRefined(arrangement_, first + begin, first + end, visit);
+	});
 }
 
 // All triangles of an operand, as they are.
-void OperandTaker::takeAll(OperandId operand) {
+Status OperandTaker::takeAll(OperandId operand) {
 	// In a soup the winding numbers have been turned, not the faces.
 	const bool isTurned = arrangement_.isSoup && arrangement_.insideOut[operand];
-	visitTriangles(mesh_.faceOffsets.begin(operand), mesh_.faceOffsets.end(operand),
-	               [&](const Triangle& corners, FaceId face, std::uint32_t piece) {
-		               add(corners, {face, false}, piece, isTurned);
-	               });
-}
-
-std::array<Point, 3> OperandTaker::placesOf(FaceId face) const {
-	const Triangle& t = at(mesh_.triangles, face);
-	std::array<Point, 3> places{at(mesh_.points, t[0]), at(mesh_.points, t[1]),
-	                            at(mesh_.points, t[2])};
-	std::sort(places.begin(), places.end());
-	return places;
+	return visitAll(mesh_.faceOffsets.begin(operand), mesh_.faceOffsets.size(operand),
+	                [&](const Triangle& corners, FaceId face, std::uint32_t piece) {
+		                add(corners, {face, false}, piece, isTurned);
+	                });
 }
 
 // Of the input faces of an operand that have a triangle the one whose corners come first, in
 // whatever numbering.
 FaceSource OperandTaker::sourceOf(OperandId operand, FaceId face, std::uint32_t piece) const {
 	FaceSource found{face, false};
-	const auto& all = arrangement_.cells.otherSources;
-	const auto before = [](const CellLabels::Source& s, std::uint32_t p) { return s.piece < p; };
-	for (auto s = std::lower_bound(all.begin(), all.end(), piece, before);
-	     s != all.end() && s->piece == piece; ++s) {
-		if (mesh_.operandOf(s->face) == operand &&
-		    (mesh_.operandOf(found.face) != operand || placesOf(s->face) < placesOf(found.face))) {
-			found = {s->face, s->opposed};
+	arrangement_.cells.visitOtherSources(piece, [&](const CellLabels::Source& source) {
+		if (mesh_.operandOf(source.face) == operand &&
+		    (mesh_.operandOf(found.face) != operand ||
+		     sortedPlaces(mesh_, source.face) < sortedPlaces(mesh_, found.face))) {
+			found = {source.face, source.opposed};
 		}
-	}
+	});
 	return found;
 }
 
@@ -152,7 +118,7 @@ void OperandTaker::listJumps(const Triangle& corners, FaceId face, std::uint32_t
 		return;
 	}
 	std::vector<OperandId> owners{mesh_.operandOf(face)};
-	visitOtherSources(piece, [&](const CellLabels::Source& source) {
+	cells.visitOtherSources(piece, [&](const CellLabels::Source& source) {
 		owners.push_back(mesh_.operandOf(source.face));
 	});
 	sortUnique(owners);
@@ -173,40 +139,44 @@ std::uint32_t OperandTaker::classOf(OperandId operand, FaceId face) const {
 	return areGiven ? classes[operand][arrangement_.givenFace(face)] : 0;
 }
 
-void OperandTaker::run() {
-	const Operands operands = mesh_.operands();
-	if (arrangement_.cells.areKnown()) {
-		visitTriangles(0, mesh_.faceOffsets.total(),
-		               [&](const Triangle& corners, FaceId face, std::uint32_t piece) {
-			               listJumps(corners, face, piece);
-		               });
+Status OperandTaker::takeOperand(OperandId operand) {
+	const std::size_t firstVertex = out_.vertexOf.size(), firstFace = out_.faceOf.size();
+	for (const Jump& jump : jumps_[operand]) {
+		add(jump.corners, jump.source, jump.piece, jump.isTurned);
 	}
+	// It may be open, or enclose nothing; or no cells are known.
+	const Status status = jumps_[operand].empty() ? takeAll(operand) : Status{};
+	out_.mesh.vertexOffsets.setEnd(operand, out_.vertexOf.size());
+	out_.mesh.faceOffsets.setEnd(operand, out_.faceOf.size());
+	for (std::size_t v = firstVertex; v < out_.vertexOf.size(); ++v) {
+		at(numbers_, out_.vertexOf[v]) = kNone;
+	}
+	for (std::size_t f = firstFace; f < out_.faceOf.size(); ++f) {
+		out_.mesh.faceClass[operand].push_back(classOf(operand, out_.faceOf[f].face));
+	}
+	return status;
+}
+
+Status OperandTaker::run() {
+	const Operands operands = mesh_.operands();
 	out_.mesh.vertexOffsets = out_.mesh.faceOffsets = OperandOffsets(operands.count());
 	out_.mesh.faceClass = PerOperand<std::vector<std::uint32_t>>(operands.count());
-	for (const OperandId operand : operands) {
-		const std::size_t firstVertex = out_.vertexOf.size(), firstFace = out_.faceOf.size();
-		for (const Jump& jump : jumps_[operand]) {
-			add(jump.corners, jump.source, jump.piece, jump.isTurned);
-		}
-		if (jumps_[operand].empty()) {  // it is open or encloses nothing, or no cells are known
-			takeAll(operand);
-		}
-		out_.mesh.vertexOffsets.setEnd(operand, out_.vertexOf.size());
-		out_.mesh.faceOffsets.setEnd(operand, out_.faceOf.size());
-		for (std::size_t v = firstVertex; v < out_.vertexOf.size(); ++v) {
-			at(numbers_, out_.vertexOf[v]) = kNone;
-		}
-		for (std::size_t f = firstFace; f < out_.faceOf.size(); ++f) {
-			out_.mesh.faceClass[operand].push_back(classOf(operand, out_.faceOf[f].face));
-		}
-	}
+	const std::size_t faces = arrangement_.cells.areKnown() ? mesh_.triangles.size() : 0;
+	return inOrder(
+	    [&] {
+		    return visitAll(0, faces,
+		                    [&](const Triangle& corners, FaceId face, std::uint32_t piece) {
+			                    listJumps(corners, face, piece);
+		                    });
+	    },
+	    [&] { return forEachOperand(operands, [&](OperandId o) { return takeOperand(o); }); });
 }
 
 }  // namespace
 
-void takeStoredOperands(const Arrangement& arrangement, StoredOperands& out) {
+Status takeStoredOperands(const Arrangement& arrangement, Monitor& monitor, StoredOperands& out) {
 	out = StoredOperands{};
-	OperandTaker(arrangement, out).run();
+	return OperandTaker(arrangement, monitor, out).run();
 }
 
 void nameFacesAsFirst(const StoredAgain& again, HugeVector<FaceSource>& faces) {

@@ -3,12 +3,13 @@
 //
 // in: an arrangement; out: its refined operands as they are stored, as the operands of another
 // arrangement, and which element of this one each of their elements is.
-// Guarantee: rounding is a map of vertices and every face with three different corners is taken, so
-// that what is closed stays closed. Source: step 4 of the rounding loop (Valque & Lazard 2024 drop
-// flat faces before they are refined; here they are refined first).
+// Guarantee: rounding is a map of vertices, and every face with three different corners is taken,
+// so that what is closed stays closed.
 #pragma once
 
 #include "vcg_ext/arrange/arrangement.h"
+#include "vcg_ext/base/monitor.h"
+#include "vcg_ext/base/status.h"
 #include "vcg_ext/mesh/sourced_mesh.h"
 
 #include <vector>
@@ -25,9 +26,9 @@ struct StoredOperands {
 
 // Takes the operands as they are stored: what is turned for blocks is turned here, too. Faces are
 // classed by the input face that they are pieces of, or by its class, if coplanar faces are merged.
-// \param out replaced. Throws std::bad_alloc.
+// \param out replaced \return Ok or Cancelled. Throws std::bad_alloc.
 // Complexity: O(n) for n faces and pieces.
-void takeStoredOperands(const Arrangement& arrangement, StoredOperands& out);
+Status takeStoredOperands(const Arrangement& arrangement, Monitor& monitor, StoredOperands& out);
 
 // Names what was read from operands arranged again as the first arrangement does: faces by the
 // input faces that they are pieces of; a vertex that is none of its vertices by none(). Complexity:

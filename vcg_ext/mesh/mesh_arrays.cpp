@@ -9,6 +9,14 @@
 
 namespace index_boolean {
 
+std::array<Point, 3> sortedPlaces(const MeshArrays& mesh, FaceId face) {
+	const Triangle& t = at(mesh.triangles, face);
+	std::array<Point, 3> places{at(mesh.points, t[0]), at(mesh.points, t[1]),
+	                            at(mesh.points, t[2])};
+	std::sort(places.begin(), places.end());
+	return places;
+}
+
 namespace {
 
 constexpr std::size_t kGrain = 1 << 15;

@@ -46,6 +46,10 @@ struct MeshArrays {
 	OperandId operandOf(FaceId face) const { return faceOffsets.operandOf(face.value); }
 };
 
+// The places of a face's corners in lexicographic order: by them faces are told apart in any
+// numbering. Complexity: O(1).
+std::array<Point, 3> sortedPlaces(const MeshArrays& mesh, FaceId face);
+
 // A surface in a caller's arrays: triangles index the points.
 struct SurfaceView {
 	const Point* points;

@@ -73,6 +73,15 @@ double lawDifference(const Arrangement& arrangement, const SubBlocks& blocks, Op
 	return sum - (blocks.turned[operand] ? -1 : 1) * arrangement.volume[operand];
 }
 
+// The faces of a block's boundary in the exact arrangement.
+std::size_t faceCount(const SubSurfaces& surfaces, const SubBlock& block) {
+	std::size_t count = 0;
+	for (const SubSurfaceSide& side : block.sides) {
+		count += at(surfaces.all, side.of).faceCount;
+	}
+	return count;
+}
+
 }  // namespace
 
 Status auditSubBlocks(const Arrangement& arrangement, const SubSurfaces& surfaces,
@@ -100,11 +109,11 @@ Status auditSubBlocks(const Arrangement& arrangement, const SubSurfaces& surface
 	for (std::size_t i = 0; i < boundaries.size() && status.ok(); ++i) {
 		const SplitMesh& mesh = boundaries[i];
 		const BlockMeasure measure = measureSurface(mesh.points, mesh.triangles, options.threads);
-		const std::size_t faces = mesh.triangles.size() + mesh.zeroAreaFacesRemoved;
+		// A block that is thinner than the scalar's steps may have lost faces, or all of them.
+		const std::size_t faces = std::max(mesh.triangles.size() + mesh.zeroAreaFacesRemoved,
+		                                   faceCount(surfaces, blocks.all[i]));
 		out.closed = out.closed && measure.closed;
-		// What was arranged again as stored has joined vertices, too: its blocks' volumes differ.
-		right = right && (arrangement.again != nullptr ||
-		                  delivered.explains(measure.volume - blocks.all[i].volume, faces));
+		right = right && delivered.explains(measure.volume - blocks.all[i].volume, faces);
 		if (pollCancelled(monitor)) {
 			status.code = StatusCode::Cancelled;
 		}

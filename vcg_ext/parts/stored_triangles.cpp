@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "vcg_ext/parts/stored_triangles.h"
 
+#include "vcg_ext/arrange/refined_triangles.h"
+
 #include <utility>
 
 namespace index_boolean {
@@ -28,23 +30,6 @@ std::vector<std::uint32_t> complexFaces(const Arrangement& arrangement,
 	return found;
 }
 
-// Calls visit(input face, corners) for all triangles of an arrangement.
-template <class Visit>
-void visitTriangles(const Arrangement& arrangement, Visit&& visit) {
-	const Refinement& refinement = arrangement.refinement;
-	std::size_t cut = 0;
-	for (std::size_t f = 0; f < arrangement.mesh.triangles.size(); ++f) {
-		if (refinement.isCut[f] == 0) {
-			visit(f, arrangement.mesh.triangles[f]);
-			continue;
-		}
-		const Refinement::PieceRange pieces = refinement.piecesOf(cut++);
-		for (std::size_t piece = pieces.begin; piece < pieces.end; ++piece) {
-			visit(f, refinement.pieces[piece]);
-		}
-	}
-}
-
 }  // namespace
 
 void listStoredTriangles(const Arrangement& arrangement, const SurfaceComplex& complex,
@@ -56,9 +41,10 @@ void listStoredTriangles(const Arrangement& arrangement, const SurfaceComplex& c
 	const StoredAgain& again = *arrangement.again;
 	const std::vector<std::uint32_t> faceOf = complexFaces(arrangement, complex);
 	out.first.assign(complex.faces.size() + 1, 0);
-	visitTriangles(again.arrangement, [&](std::size_t f, const Triangle&) {
-		if (faceOf[f] != kNone) {
-			++out.first[faceOf[f] + 1];
+	const std::size_t faces = again.arrangement.mesh.triangles.size();
+	visitRefined(again.arrangement, 0, faces, [&](const Triangle&, FaceId f, std::uint32_t) {
+		if (at(faceOf, f) != kNone) {
+			++out.first[at(faceOf, f) + 1];
 		}
 	});
 	for (std::size_t f = 0; f < complex.faces.size(); ++f) {
@@ -66,12 +52,12 @@ void listStoredTriangles(const Arrangement& arrangement, const SurfaceComplex& c
 	}
 	out.triangles.resize(out.first.back());
 	std::vector<std::uint32_t> next(out.first.begin(), out.first.end() - 1);
-	visitTriangles(again.arrangement, [&](std::size_t f, Triangle t) {
-		if (faceOf[f] != kNone) {
-			if (again.faceOf[f].turned) {
+	visitRefined(again.arrangement, 0, faces, [&](Triangle t, FaceId f, std::uint32_t) {
+		if (at(faceOf, f) != kNone) {
+			if (at(again.faceOf, f).turned) {
 				std::swap(t[1], t[2]);
 			}
-			out.triangles[next[faceOf[f]]++] = t;
+			out.triangles[next[at(faceOf, f)]++] = t;
 		}
 	});
 }

@@ -24,7 +24,6 @@ public:
 	void markSuspects();
 
 private:
-	std::array<Point, 3> placesOf(FaceId face) const;
 	FaceSource shownSource(FaceId first, std::uint32_t piece, bool turned) const;
 	void add(const Triangle& corners, FaceId source, std::uint32_t piece,
 	         const CellLabels::Sides& sides);
@@ -36,29 +35,17 @@ private:
 	std::vector<std::uint32_t> numbers_;  // per vertex: in the block
 };
 
-// The corners' places in lexicographic order.
-std::array<Point, 3> CellCollector::placesOf(FaceId face) const {
-	const Triangle& t = at(mesh_.triangles, face);
-	std::array<Point, 3> places{at(mesh_.points, t[0]), at(mesh_.points, t[1]),
-	                            at(mesh_.points, t[2])};
-	std::sort(places.begin(), places.end());
-	return places;
-}
-
 // Of the input faces that have a kept piece the one that it is shown as a part of: one that is
 // turned as the block is, if any, and of these the one whose corners come first.
 FaceSource CellCollector::shownSource(FaceId first, std::uint32_t piece, bool turned) const {
 	FaceSource shown{first, turned};
-	const auto& all = arrangement_.cells.otherSources;
-	const auto before = [](const CellLabels::Source& s, std::uint32_t p) { return s.piece < p; };
-	for (auto s = std::lower_bound(all.begin(), all.end(), piece, before);
-	     s != all.end() && s->piece == piece; ++s) {
-		const FaceSource other{s->face, turned != s->opposed};
-		const bool isBetter = other.turned != shown.turned
-		                          ? shown.turned
-		                          : placesOf(other.face) < placesOf(shown.face);
+	arrangement_.cells.visitOtherSources(piece, [&](const CellLabels::Source& source) {
+		const FaceSource other{source.face, turned != source.opposed};
+		const bool isBetter = other.turned != shown.turned ? shown.turned
+		                                                   : sortedPlaces(mesh_, other.face) <
+		                                                         sortedPlaces(mesh_, shown.face);
 		shown = isBetter ? other : shown;
-	}
+	});
 	return shown;
 }
 

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Index Boolean authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Only the first round arranges operands where they are: to do so twice in a row makes more faults
+// A round that leaves much fewer faults is where the next one goes on. Else it is tried again with
+// vertices joined from farther away: to arrange without joining, again and again, makes more faults
 // than it cures on surfaces that are nearly the same, and may come back to where it was.
 #include "vcg_ext/solids/rounding_loop.h"
 
@@ -71,6 +72,9 @@ private:
 	                 StoredAgain& next) const;
 	std::vector<std::uint8_t> ranksOf(const StoredOperands& operands) const;
 	VertexId firstVertex(VertexId v) const {  // of a vertex of the latest arrangement
+		if (latest_ == nullptr) {
+			return v;
+		}
 		return v.value < latest_->vertexOf.size() ? at(latest_->vertexOf, v) : VertexId::none();
 	}
 	static bool takesRound(const PlaceRepair& before, const PlaceRepair& after, double reach);
@@ -104,9 +108,7 @@ void RoundingLoop::nameAsFirst(const StoredOperands& operands, const OperandOffs
 		next.pieceOf.push_back(piece);
 	}
 	for (VertexId& v : next.vertexOf) {
-		if (latest_ != nullptr) {
-			v = firstVertex(v);
-		}
+		v = firstVertex(v);
 	}
 }
 
@@ -114,32 +116,31 @@ void RoundingLoop::nameAsFirst(const StoredOperands& operands, const OperandOffs
 std::vector<std::uint8_t> RoundingLoop::ranksOf(const StoredOperands& operands) const {
 	std::vector<std::uint8_t> ranks;
 	ranks.reserve(operands.vertexOf.size());
-	for (VertexId v : operands.vertexOf) {
-		if (latest_ != nullptr) {
-			v = firstVertex(v);
-		}
+	for (const VertexId taken : operands.vertexOf) {
+		const VertexId v = firstVertex(taken);
 		const bool isInput = v != VertexId::none() && !first_.isCurvePoint(v);
 		ranks.push_back(isInput ? 0 : 1);
 	}
 	return ranks;
 }
 
-// \param reach within which vertices are joined, in units of the scalar; 0: all stay where they are
+// \param reach within which vertices are joined, in units of the scalar
 Status RoundingLoop::arrangeOnceMore(double reach, StoredAgain& next) {
 	StoredOperands operands;
-	takeStoredOperands(latest(), operands);
-	if (reach > 0) {
-		Points& points = operands.mesh.points;
-		joinNearPlaces(placesConcerned(latest()), ranksOf(operands),
-		               reach * unitOf(points, first_.options.outputScalar), points);
+	Status status = takeStoredOperands(latest(), monitor_, operands);
+	if (!status.ok()) {
+		return status;
 	}
+	Points& points = operands.mesh.points;
+	joinNearPlaces(placesConcerned(latest()), ranksOf(operands),
+	               reach * unitOf(points, first_.options.outputScalar), points);
 	next.vertexOf = std::move(operands.vertexOf);
 	Options options = first_.options;
 	options.selfIntersections = SelfIntersections::Resolve;
 	// The pieces of a face are faces now; their classes let only them be merged again.
 	options.mergeCoplanar = options.mergeCoplanar || options.mergeFragments;
 	const OperandOffsets given = operands.mesh.faceOffsets;
-	const Status status = arrangeAgain_(std::move(operands.mesh), options, next.arrangement);
+	status = arrangeAgain_(std::move(operands.mesh), options, next.arrangement);
 	if (status.ok()) {
 		keepWithin(range_, next.arrangement.cells);
 		nameAsFirst(operands, given, next);
@@ -186,10 +187,7 @@ bool RoundingLoop::hasGrown() const {
 }
 
 Status RoundingLoop::run() {
-	constexpr std::size_t kMostRounds = 8, kFewFaces = 300;
-	if (first_.placeRepair.concernedAfter <= kFewFaces) {
-		return {};  // among nearly coplanar walls, it makes more needles than it cures faults
-	}
+	constexpr std::size_t kMostRounds = 8;
 	double reach = 1;
 	std::size_t fewest = first_.placeRepair.faultsAfter;
 	for (std::size_t i = 0; i < kMostRounds && fewest > 0 && !hasGrown(); ++i) {
@@ -209,9 +207,8 @@ Status RoundingLoop::run() {
 		}
 		if (takesRound(latest().placeRepair, left, reach)) {
 			latest_ = next;
-			reach = std::max(1.0, reach);
 		} else {
-			reach = std::max(1.0, 2 * reach);
+			reach *= 2;
 		}
 	}
 	if (best_ != nullptr) {
@@ -224,7 +221,9 @@ Status RoundingLoop::run() {
 }  // namespace
 
 Status holdAsStored(const ArrangeSoup& arrangeAgain, Monitor& monitor, Arrangement& out) {
-	return RoundingLoop(arrangeAgain, monitor, out).run();
+	// Among few nearly coplanar walls the loop makes more needles than it cures faults.
+	const bool areFew = out.placeRepair.concernedAfter <= PlaceRepair::kFewFaces;
+	return areFew ? Status{} : RoundingLoop(arrangeAgain, monitor, out).run();
 }
 
 }  // namespace index_boolean

@@ -1,13 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The Index Boolean authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// in: an arrangement some of whose faces meet others wrongly as they are stored, whatever
-// repair_places has tried; out: its refined operands as they are stored, arranged once more, so
-// that what crosses has points there; while that leaves faults, once more each time, with the
-// vertices of those faces on a coarser grid each time. Guarantee: closed operands stay closed; all
-// blocks come from one rounding. Not promised is that it ends without faults, so their number is
-// told. Sources: the rounding loops of CGAL's autorefinement and of Valque & Lazard, who drop flat
-// faces before these are refined, and do not keep a surface closed.
+// in: an arrangement many of whose faces meet others wrongly as they are stored, whatever
+// repair_places has tried; out: its refined operands as they are stored, with vertices near those
+// faces joined, arranged once more, so that what crosses has points there; and so on, while that
+// leaves faults. Guarantee: closed operands stay closed; all blocks come from one rounding; it
+// ends. Not promised is that it ends without faults, so their number is told. Sources: the rounding
+// loops of CGAL's autorefinement and of Valque & Lazard, which move vertices to coarser grids
+// instead and drop flat faces before these are refined, which does not keep a surface closed.
 #pragma once
 
 #include "vcg_ext/arrange/arrangement.h"
@@ -22,10 +22,11 @@ namespace index_boolean {
 using ArrangeSoup =
     std::function<Status(MeshArrays operands, const Options& options, Arrangement& out)>;
 
-// Fills out.again, if that leaves fewer faults, and takes what it did into out.placeRepair.
+// Fills out.again, if that leaves fewer faults, and takes what it did into out.placeRepair. Does
+// nothing where few faces are concerned (PlaceRepair::kFewFaces).
 // \param arrangeAgain called once for each round
 // \param out its faults are known (placeRepair)
-// \return what arrangeAgain returns, Cancelled or OutOfMemory. Throws std::bad_alloc.
+// \return Ok, Cancelled or OutOfMemory. Throws std::bad_alloc.
 // Complexity: a bounded number of arrangements of as many faces as there are pieces.
 Status holdAsStored(const ArrangeSoup& arrangeAgain, Monitor& monitor, Arrangement& out);
 

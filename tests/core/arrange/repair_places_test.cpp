@@ -4,6 +4,7 @@
 // The repair of stored places: what is wrong before and after, on pairs that rounding folds, and on
 // those that it does not.
 #include "core/shapes.h"
+#include "core/wrong_faces.h"
 
 #include <vcg_ext/arrange/piece_patches.h>
 #include <vcg_ext/arrange/places.h>
@@ -20,14 +21,6 @@ namespace index_boolean {
 namespace {
 
 using namespace shapes;
-
-Mesh turnedAboutX(Mesh m, double angle) {
-	const double c = std::cos(angle), s = std::sin(angle);
-	for (Point& p : m.points) {
-		p = {p[0], c * p[1] - s * p[2], s * p[1] + c * p[2]};
-	}
-	return m;
-}
 
 Mesh movedBy(Mesh m, double x) {
 	for (Point& p : m.points) {
@@ -52,36 +45,10 @@ constexpr std::uint32_t kRings = 24, kSides = 16;
 Mesh firstTorus() { return torus(kRings, kSides, 1, .4); }
 Mesh secondTorus() { return turnedAboutX(firstTorus(), kPi / 2); }
 
-// Faults of a block as delivered: pairs that meet wrongly and zero-area faces, once vertices in one
-// place are one.
-std::size_t faultsOf(const Block& block) {
-	std::map<Point, std::uint32_t> numbers;
-	Points points;
-	IndexTriangles triangles;
-	for (const IndexTriangle& t : block.triangles) {
-		IndexTriangle welded;
-		for (std::size_t i = 0; i < 3; ++i) {
-			const Point& p = block.points[t[i]];
-			const auto [it, isNew] = numbers.emplace(p, static_cast<std::uint32_t>(points.size()));
-			if (isNew) {
-				points.push_back(p);
-			}
-			welded[i] = it->second;
-		}
-		triangles.push_back(welded);
-	}
-	Monitor monitor;
-	WrongPairs wrong;
-	const FacesView faces(points, triangles.data(), triangles.size());
-	const Status status = findWrongPairs(faces, {}, monitor, wrong);
-	EXPECT_TRUE(status.ok()) << describe(status);
-	return wrong.pairs.size() + wrong.zeroAreaFaces.size();
-}
-
 std::vector<std::size_t> faultsOf(const BooleanRun& r) {
 	std::vector<std::size_t> faults;
 	for (const Block& block : r.blocks) {
-		faults.push_back(faultsOf(block));
+		faults.push_back(faultsOf(block.points, block.triangles));
 	}
 	return faults;
 }
@@ -213,7 +180,8 @@ TEST(RepairPlaces, movesAnInputVertexIfNothingElseHelps) {
 	EXPECT_GT(countMovedInputs(r.arrangement), 0U);
 	for (const Block& block : r.blocks) {
 		if (block.operation != Operation::SymmetricDifference) {
-			EXPECT_EQ(faultsOf(block), 0U) << operationName(block.operation);
+			EXPECT_EQ(faultsOf(block.points, block.triangles), 0U)
+			    << operationName(block.operation);
 			EXPECT_EQ(block.certificate.count(), 0) << operationName(block.operation);
 		}
 	}

@@ -1,0 +1,69 @@
+// SPDX-FileCopyrightText: 2026 The Index Boolean authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "vcg_ext/solids/operand_refusals.h"
+
+#include "vcg_ext/arrange/duplicate_faces.h"
+#include "vcg_ext/arrange/refined_closed.h"
+#include "vcg_ext/parts/sub_blocks.h"
+
+namespace index_boolean {
+
+bool isOnlyForEmbedded(StatusCode code, SelfIntersections selfIntersections) {
+	switch (code) {
+	case StatusCode::SelfIntersecting:
+		return selfIntersections != SelfIntersections::Refuse;
+	case StatusCode::NestedComponents:
+	case StatusCode::NotClosed:
+	case StatusCode::NotOriented:
+	case StatusCode::NoVolume:
+		return true;
+	default:
+		return false;
+	}
+}
+
+Status refuseWithoutFaces(const MeshArrays& input) {
+	return forEachOperand(input.operands(), [&](OperandId operand) {
+		Status status = statusOf(input.faceOffsets.size(operand) == 0 ? StatusCode::EmptyOperand
+		                                                              : StatusCode::Ok);
+		status.operand = numberOf(operand);
+		return status;
+	});
+}
+
+namespace {
+
+// Of an operand that encloses nothing. All of its faces may cancel: it is a double-sided model
+// then, but under the rule Odd a set like any other.
+Status refuseWithoutInside(const Arrangement& arrangement, OperandId operand) {
+	const MeshArrays& mesh = arrangement.mesh;
+	const bool isOdd = arrangement.options.windingRule == WindingRule::Odd;
+	const std::size_t pairs = cancellingPairs(mesh, operand, isOdd);
+	Status status;
+	if (pairs == 0 || !isOdd) {
+		status.code = pairs == 0 ? StatusCode::NoVolume : StatusCode::EmptyOperand;
+		status.operand = numberOf(operand);
+		status.count = pairs;
+	}
+	return status;
+}
+
+}  // namespace
+
+Status refuseUnlessSolids(const Arrangement& arrangement) {
+	const WindingRule rule = arrangement.options.windingRule;
+	PerOperand<bool> hasInside(arrangement.mesh.operands().count());
+	for (const PerOperand<std::int32_t>& windings : arrangement.cells.windings) {
+		for (const OperandId operand : windings.operands()) {
+			hasInside[operand] = hasInside[operand] || isInside(rule, windings[operand]);
+		}
+	}
+	return forEachOperand(arrangement.mesh.operands(), [&](OperandId operand) {
+		if (!arrangement.closed[operand]) {
+			return refuseOpen(arrangement, operand);
+		}
+		return hasInside[operand] ? Status{} : refuseWithoutInside(arrangement, operand);
+	});
+}
+
+}  // namespace index_boolean
