@@ -174,7 +174,7 @@ TEST(RoundingLoop, makesPartsHold) {
 			EXPECT_TRUE(measureSurface(mesh.points, mesh.triangles, 1).closed) << pair.name;
 		}
 		// Where a wall is folded onto itself three times, a sub-block has it twice.
-		EXPECT_LE(uncertified, 1U) << pair.name;
+		EXPECT_LE(uncertified, 2U) << pair.name << ": of " << boundaries.size();
 		for (const OperandId operand : arrangement.mesh.operands()) {
 			SplitMesh mesh;
 			status = extractSubSurfaces(arrangement, parts, operand, monitor, mesh);
