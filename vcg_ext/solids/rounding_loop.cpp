@@ -54,6 +54,10 @@ Points placesConcerned(const Arrangement& arrangement) {
 	return places;
 }
 
+std::size_t sizeOf(const Arrangement& arrangement) {
+	return arrangement.mesh.triangles.size() + arrangement.refinement.pieces.size();
+}
+
 double distance(const Point& a, const Point& b) {
 	return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
 }
@@ -137,6 +141,9 @@ Status RoundingLoop::arrangeOnceMore(double reach, StoredAgain& next) {
 	next.vertexOf = std::move(operands.vertexOf);
 	Options options = first_.options;
 	options.selfIntersections = SelfIntersections::Resolve;
+	// A tangle of needles may become any number of pieces: that is too large, and no help.
+	constexpr std::size_t kMostGrowth = 32, kRoom = 1000;
+	options.mostElements = std::min(options.mostElements, kMostGrowth * sizeOf(first_) + kRoom);
 	// The pieces of a face are faces now; their classes let only them be merged again.
 	options.mergeCoplanar = options.mergeCoplanar || options.mergeFragments;
 	const OperandOffsets given = operands.mesh.faceOffsets;
@@ -179,11 +186,8 @@ bool RoundingLoop::takesRound(const PlaceRepair& before, const PlaceRepair& afte
 // Whether the next round would be of much more than the first: it grows then from round to round,
 // on walls that are nearly coplanar.
 bool RoundingLoop::hasGrown() const {
-	const auto size = [](const Arrangement& arrangement) {
-		return arrangement.mesh.triangles.size() + arrangement.refinement.pieces.size();
-	};
 	constexpr std::size_t kRoom = 200;
-	return size(latest()) > 2 * size(first_) + kRoom;
+	return sizeOf(latest()) > 2 * sizeOf(first_) + kRoom;
 }
 
 Status RoundingLoop::run() {
@@ -197,7 +201,7 @@ Status RoundingLoop::run() {
 			return status;
 		}
 		if (!status.ok()) {
-			break;  // nothing may be left of an operand that is thinner than the scalar's steps
+			break;  // it has become too large, or nothing is left of an operand
 		}
 		++first_.placeRepair.rounds;
 		const PlaceRepair& left = next->arrangement.placeRepair;

@@ -10,6 +10,7 @@
 #include "support/stored_faces.h"
 
 #include <vcg_ext/arrange/places.h>
+#include <vcg_ext/solids/rounding_loop.h>
 
 #include <gtest/gtest.h>
 
@@ -277,6 +278,35 @@ TEST(RoundingLoop, aSurfaceWithAMovedFlatFaceIsClosed) {
 	EXPECT_NEAR(cells[1].second, 3503 / 117., 1e-11);
 	m.triangles.erase(m.triangles.begin() + 3);
 	EXPECT_FALSE(runCells({m}).arrangement.closed[kFirst]);
+}
+
+// A round that grows beyond all measure is refused for its size, and the first arrangement stays.
+TEST(RoundingLoop, endsWhereARoundIsRefused) {
+	Monitor monitor;
+	Arrangement arrangement;
+	const Mesh ball = sphere(6, {0, 0, 0}, 1);
+	ASSERT_TRUE(arrange(arrays(ball, movedBy(ball, {.5, 0, 0})), {}, monitor, arrangement).ok());
+	const std::size_t size =
+	    arrangement.mesh.triangles.size() + arrangement.refinement.pieces.size();
+	arrangement.placeRepair.faultsAfter = 5;
+	int rounds = 0;
+	const ArrangeSoup refuse = [&](const MeshArrays&, const Options& options, Arrangement&) {
+		++rounds;
+		EXPECT_LE(options.mostElements, 32 * size + 1000);
+		EXPECT_GE(options.mostElements, size);
+		return statusOf(StatusCode::TooLarge);
+	};
+	arrangement.placeRepair.concernedAfter = PlaceRepair::kFewFaces;
+	EXPECT_TRUE(holdAsStored(refuse, monitor, arrangement).ok());
+	EXPECT_EQ(rounds, 0);
+	arrangement.placeRepair.concernedAfter = PlaceRepair::kFewFaces + 1;
+	EXPECT_TRUE(holdAsStored(refuse, monitor, arrangement).ok());
+	EXPECT_EQ(rounds, 1);
+	EXPECT_EQ(arrangement.again, nullptr);
+	const ArrangeSoup cancel = [](const MeshArrays&, const Options&, Arrangement&) {
+		return statusOf(StatusCode::Cancelled);
+	};
+	EXPECT_EQ(holdAsStored(cancel, monitor, arrangement).code, StatusCode::Cancelled);
 }
 
 // Each callback that may cancel does so in one of the runs.
