@@ -22,6 +22,7 @@ std::string refusalDefect(const Status& status) {
 	case StatusCode::NoVolume:
 	case StatusCode::NestedComponents:
 	case StatusCode::SelfIntersecting:
+	case StatusCode::WeldTooWide:
 		return status.operand == 0 || status.operand == 1 ? "" : "a refusal of no operand";
 	case StatusCode::Ok:
 	case StatusCode::Cancelled:

@@ -17,6 +17,7 @@ std::string refusalDefect(const Status& status, std::size_t operands) {
 	case StatusCode::EmptyOperand:
 	case StatusCode::NotFinite:
 	case StatusCode::IndexOutOfRange:
+	case StatusCode::WeldTooWide:
 		return status.operand >= 0 && static_cast<std::size_t>(status.operand) < operands
 		           ? ""
 		           : "a refusal of no operand";

@@ -94,6 +94,7 @@ inline Options options(ByteReader& in) {
 	                                        std::numeric_limits<int>::min(),
 	                                        std::numeric_limits<int>::max()};
 	constexpr std::array<int, 8> kThreads{1, 1, 1, 1, 0, 2, 8, -1};
+	constexpr std::array<double, 8> kWeldDistances{0, 0, 0, 0, 1e-15, 1e-9, 0.25, 1.5};
 	Options o;
 	o.octreeMaxDepth = kDepths[in.below(kDepths.size())];
 	o.octreeLeafSize = kLeafSizes[in.below(kLeafSizes.size())];
@@ -105,6 +106,7 @@ inline Options options(ByteReader& in) {
 	o.weldNonManifold = (switches & 8U) != 0;
 	o.selfIntersections =
 	    (switches & 16U) != 0 ? SelfIntersections::Refuse : SelfIntersections::Trust;
+	o.weldDistance = kWeldDistances[switches >> 5U];
 	return o;
 }
 

@@ -15,6 +15,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t siz
 	                                              grid::swapDefect};
 	fuzz::ByteReader in(bytes, size);
 	Options options = fuzz::options(in);
+	options.weldDistance = 0;  // what is welded has other volumes
 	const std::uint32_t property = in.below(kProperties.size());
 	if (property == 0) {
 		options.outputScalar = OutputScalar::Double;
