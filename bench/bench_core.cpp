@@ -329,7 +329,7 @@ Status findAttributes(const Operands& operands, const Arrangement& arrangement, 
 		}
 		return corners;
 	};
-	const auto same = [](VertexId, VertexId, bool) { return true; };
+	const SameAttributes same = [](VertexId, VertexId) { return true; };
 	AttributeNeeds needs;
 	needs.corners = true;
 	Seams seams;
