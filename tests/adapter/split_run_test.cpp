@@ -140,7 +140,7 @@ TEST(SplitRun, anOpenSolidIsRefusedOnceItHasBeenCutAndCancelledBefore) {
 	const Status status = run(0);
 	EXPECT_EQ(status.code, StatusCode::NotClosed);
 	EXPECT_EQ(status.operand, 1);
-	expectGoodManners();
+	expectGoodMannersSoFar();
 	const int calls = seen.calls;
 	for (int call = 1; call < calls; ++call) {
 		const StatusCode code = run(call).code;

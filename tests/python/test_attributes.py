@@ -283,7 +283,7 @@ class TestSeams:
 
     def difference(self, with_texture):
         indexboolean.load_plugin()
-        mesh_set = pymeshlab.MeshSet()
+        mesh_set = self.document = pymeshlab.MeshSet()  # a layer lives as long as its document
         vertices, faces, normals, places = self.cube()
         texture = {"v_tex_coords_matrix": places} if with_texture else {}
         cube = pymeshlab.Mesh(vertices, faces, v_normals_matrix=normals, **texture)
