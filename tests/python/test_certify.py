@@ -24,9 +24,9 @@ SHEET = box((0.1, -1, 0.3), (1.7, 3, 1.1))  # its coordinates are no floats
 # left where one or three of the solids are.
 FAR_OFF = 2.0**23
 CORNERS = (
-    [(12, 1, 8), (6, 12, 0), (8, 10, 7), (8, 4, 9)],
-    [(9, 2, 7), (10, 1, 6), (1, 12, 2), (9, 9, 9)],
-    [(3, 0, 12), (10, 5, 8), (12, 11, 3), (7, 11, 5)],
+    [(10, 3, 10), (3, 1, 8), (3, 5, 3), (1, 5, 7)],
+    [(7, 11, 8), (0, 0, 5), (4, 2, 12), (9, 1, 10)],
+    [(5, 1, 6), (10, 3, 4), (5, 9, 9), (1, 0, 6)],
 )
 KEYS = ("repair_rounds", "moved_vertices", "largest_move", "volume_change", "vanished_components")
 

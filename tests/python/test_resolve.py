@@ -134,13 +134,13 @@ class TestRefusals:
     def test_aOneSidedLayerIsTakenByTheOddRuleOnly(self):
         layer = one_sided()
         for rule in ("nonzero", "positive"):
-            with pytest.raises(pymeshlab.PyMeshLabException, match="winding_rule to odd"):
+            with pytest.raises(pymeshlab.PyMeshLabException, match="winding_rule = odd"):
                 run_boolean(*layer, *FAR, winding_rule=rule)
         assert volumes_of(layer, FAR, winding_rule="odd")["union"] == pytest.approx(1 + 2 / 3)
 
     def test_aLayerThatCancelsIsRefused(self):
         cube = box((0, 0, 0), (1, 1, 1))
-        with pytest.raises(pymeshlab.PyMeshLabException, match="in both directions"):
+        with pytest.raises(pymeshlab.PyMeshLabException, match="double-sided"):
             run_boolean(*joined(cube, turned(cube)), *FAR)
 
 

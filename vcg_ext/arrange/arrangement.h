@@ -44,6 +44,7 @@ struct Options {
 	WindingRule windingRule = WindingRule::Nonzero;
 	bool certify =
 	    true;  // repair places so that what is delivered holds as stored, and say if it does
+	bool thoroughRepair = true;  // where few faces do not hold, many places are tried for each
 	double weldDistance = 0;  // vertices of one operand that are nearer than this become one
 	// How many there may be of anything that a run numbers: vertices, faces, points of contact,
 	// pieces; of corners and label nodes, twice as many. More is TooLarge. Raising it does nothing.
@@ -265,9 +266,6 @@ struct Polygons {
 // What became of the faces of both refined surfaces that, as stored, meet others wrongly or have no
 // area: the faces concerned. All are 0 if there was none.
 struct PlaceRepair {
-	// So few faces concerned are left to repair_places alone; more go on to the rounding loop.
-	static constexpr std::size_t kFewFaces = 300;
-
 	std::size_t concernedBefore = 0, concernedAfter = 0;  // faces
 	std::size_t faultsBefore = 0, faultsAfter = 0;        // pairs and zero-area faces
 	std::size_t rounds = 0;                               // over all clusters of such faces

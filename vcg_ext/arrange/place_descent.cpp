@@ -352,10 +352,11 @@ Status PlaceDescent::run() {
 	report.faultsBefore = faults_.count();
 	// A fault that goes takes about ten; what needs many more, the rounding loop cures sooner.
 	constexpr std::size_t kFewTrials = 1000, kTrialsPerFault = 10, kMostTrials = 60000;
-	isMany_ = faults_.concernedCount() > PlaceRepair::kFewFaces;
-	mostTrialsInAll_ = isMany_
-	                       ? std::min(kMostTrials, kFewTrials + kTrialsPerFault * faults_.count())
-	                       : kMostTrials;
+	constexpr std::size_t kFewFaces = 300;
+	isMany_ = faults_.concernedCount() > kFewFaces;
+	mostTrialsInAll_ = arrangement_.options.thoroughRepair && !isMany_
+	                       ? kMostTrials
+	                       : std::min(kMostTrials, kFewTrials + kTrialsPerFault * faults_.count());
 	if (isMany_ && isMostlyTooLarge()) {
 		report.isGivenUp = true;
 		report.concernedAfter = report.concernedBefore;

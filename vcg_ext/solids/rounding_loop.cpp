@@ -71,7 +71,8 @@ public:
 	Status run();
 
 private:
-	Status arrangeOnceMore(double reach, StoredAgain& next);
+	Status takeLatest(double reach, StoredOperands& operands);
+	Status arrangeOnceMore(StoredOperands operands, StoredAgain& next);
 	void nameAsFirst(const StoredOperands& operands, const OperandOffsets& given,
 	                 StoredAgain& next) const;
 	std::vector<std::uint8_t> ranksOf(const StoredOperands& operands) const;
@@ -128,26 +129,30 @@ std::vector<std::uint8_t> RoundingLoop::ranksOf(const StoredOperands& operands) 
 	return ranks;
 }
 
-// \param reach within which vertices are joined, in units of the scalar
-Status RoundingLoop::arrangeOnceMore(double reach, StoredAgain& next) {
-	StoredOperands operands;
-	Status status = takeStoredOperands(latest(), monitor_, operands);
-	if (!status.ok()) {
-		return status;
+// Takes the latest arrangement's refined operands as they are stored, near vertices joined.
+// \param reach within which vertices are joined, in units of the scalar; 0: none is
+Status RoundingLoop::takeLatest(double reach, StoredOperands& operands) {
+	const Status status = takeStoredOperands(latest(), monitor_, operands);
+	if (status.ok() && reach > 0) {
+		Points& points = operands.mesh.points;
+		joinNearPlaces(placesConcerned(latest()), ranksOf(operands),
+		               reach * unitOf(points, first_.options.outputScalar), points);
 	}
-	Points& points = operands.mesh.points;
-	joinNearPlaces(placesConcerned(latest()), ranksOf(operands),
-	               reach * unitOf(points, first_.options.outputScalar), points);
+	return status;
+}
+
+Status RoundingLoop::arrangeOnceMore(StoredOperands operands, StoredAgain& next) {
 	next.vertexOf = std::move(operands.vertexOf);
 	Options options = first_.options;
 	options.selfIntersections = SelfIntersections::Resolve;
 	// A tangle of needles may become any number of pieces: that is too large, and no help.
 	constexpr std::size_t kMostGrowth = 32, kRoom = 1000;
 	options.mostElements = std::min(options.mostElements, kMostGrowth * sizeOf(first_) + kRoom);
+	options.thoroughRepair = false;  // what takes many trials, the next round cures sooner
 	// The pieces of a face are faces now; their classes let only them be merged again.
 	options.mergeCoplanar = options.mergeCoplanar || options.mergeFragments;
 	const OperandOffsets given = operands.mesh.faceOffsets;
-	status = arrangeAgain_(std::move(operands.mesh), options, next.arrangement);
+	const Status status = arrangeAgain_(std::move(operands.mesh), options, next.arrangement);
 	if (status.ok()) {
 		keepWithin(range_, next.arrangement.cells);
 		nameAsFirst(operands, given, next);
@@ -192,18 +197,32 @@ bool RoundingLoop::hasGrown() const {
 
 Status RoundingLoop::run() {
 	constexpr std::size_t kMostRounds = 8;
-	double reach = 1;
+	// Few faults are cut and gone; to join the vertices of nearly coplanar walls makes more of them.
+	constexpr std::size_t kFewFaces = 300;
+	double reach = first_.placeRepair.concernedAfter <= kFewFaces ? 0 : 1;
 	std::size_t fewest = first_.placeRepair.faultsAfter;
-	for (std::size_t i = 0; i < kMostRounds && fewest > 0 && !hasGrown(); ++i) {
-		auto next = std::make_shared<StoredAgain>();
-		const Status status = arrangeOnceMore(reach, *next);
-		if (status.code == StatusCode::Cancelled || status.code == StatusCode::OutOfMemory) {
+	std::shared_ptr<StoredAgain> next;
+	Points arranged;  // of the operands of `next`
+	std::size_t rounds = 0;
+	while (rounds < kMostRounds && fewest > 0 && !hasGrown()) {
+		StoredOperands operands;
+		Status status = takeLatest(reach, operands);
+		if (!status.ok()) {
 			return status;
 		}
-		if (!status.ok()) {
-			break;  // it has become too large, or nothing is left of an operand
+		// A wider reach need not join more.
+		if (next == nullptr || operands.mesh.points != arranged) {
+			arranged = operands.mesh.points;
+			next = std::make_shared<StoredAgain>();
+			status = arrangeOnceMore(std::move(operands), *next);
+			if (status.code == StatusCode::Cancelled || status.code == StatusCode::OutOfMemory) {
+				return status;
+			}
+			if (!status.ok()) {
+				break;  // it has become too large, or nothing is left of an operand
+			}
+			++rounds;
 		}
-		++first_.placeRepair.rounds;
 		const PlaceRepair& left = next->arrangement.placeRepair;
 		if (left.faultsAfter < fewest) {
 			fewest = left.faultsAfter;
@@ -211,10 +230,12 @@ Status RoundingLoop::run() {
 		}
 		if (takesRound(latest().placeRepair, left, reach)) {
 			latest_ = next;
+			next = nullptr;
 		} else {
-			reach *= 2;
+			reach = reach == 0 ? 1 : 2 * reach;
 		}
 	}
+	first_.placeRepair.rounds += rounds;
 	if (best_ != nullptr) {
 		report();
 		first_.again = best_;
@@ -225,9 +246,7 @@ Status RoundingLoop::run() {
 }  // namespace
 
 Status holdAsStored(const ArrangeSoup& arrangeAgain, Monitor& monitor, Arrangement& out) {
-	// Among few nearly coplanar walls the loop makes more needles than it cures faults.
-	const bool areFew = out.placeRepair.concernedAfter <= PlaceRepair::kFewFaces;
-	return areFew ? Status{} : RoundingLoop(arrangeAgain, monitor, out).run();
+	return RoundingLoop(arrangeAgain, monitor, out).run();
 }
 
 }  // namespace index_boolean

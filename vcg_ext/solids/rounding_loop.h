@@ -22,8 +22,7 @@ namespace index_boolean {
 using ArrangeSoup =
     std::function<Status(MeshArrays operands, const Options& options, Arrangement& out)>;
 
-// Fills out.again, if that leaves fewer faults, and takes what it did into out.placeRepair. Does
-// nothing where few faces are concerned (PlaceRepair::kFewFaces).
+// Fills out.again, if that leaves fewer faults, and takes what it did into out.placeRepair.
 // \param arrangeAgain called once for each round
 // \param out its faults are known (placeRepair)
 // \return Ok, Cancelled or OutOfMemory. Throws std::bad_alloc.
