@@ -259,8 +259,6 @@ struct Polygons {
 	std::vector<FaceId> polygon;  // per face: the first face of its polygon
 	std::vector<FaceId> flat;  // per face: the first of those faces of its polygon that lie in one
 	                           // plane and are joined to it within that plane
-	std::vector<std::array<VertexId, 2>>
-	    flatEdges;  // edges inside such a set: lower, higher; sorted
 };
 
 // What became of the faces of both refined surfaces that, as stored, meet others wrongly or have no

@@ -26,4 +26,15 @@ int commonFront(const MeshArrays& mesh, FaceId a, FaceId b);
 // Complexity: O(n + k log k) for n faces and k faux edges, in parallel.
 Status joinPolygons(Arrangement& arrangement, Monitor& monitor);
 
+// Edges as pairs of vertices: lower, higher.
+using EdgeList = std::vector<std::array<VertexId, 2>>;
+
+// Lists the edges that join two cut faces of one polygon within one plane. Any edge that does, and
+// that the curve passes through, is among them: both of its faces are cut.
+// \pre the faces have been cut
+// \param out replaced: sorted
+// \return Ok or Cancelled. Throws std::bad_alloc.
+// Complexity: O(k) for k cut faces, as long as no vertex is in very many of them.
+Status listFlatEdges(const Arrangement& arrangement, Monitor& monitor, EdgeList& out);
+
 }  // namespace index_boolean

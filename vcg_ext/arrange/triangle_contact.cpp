@@ -160,12 +160,44 @@ struct Ends {
 	}
 };
 
+// Whether the edges in which face 0 crosses the plane of face 1 both pass one edge of face 1 on the
+// outside: then what face 0 has in that plane lies beyond that edge, and the faces have no point in
+// common. Most pairs that both reach each other's plane are told apart so, by a few of their signs.
+// \pre no corner of face 0 lies in the plane
+bool passesOutside(PairSigns& signs) {
+	std::array<int, 2> crossing{};
+	int count = 0;
+	for (int i = 0; i < 3; ++i) {
+		if (signs.edgeStraddles(0, i)) {
+			crossing[index(count++)] = i;
+		}
+	}
+	// An edge that goes up through the face passes all of the face's edges on the positive side.
+	const auto isOutside = [&](int i, int j) {
+		const int inside = signs.side(0, i) < 0 ? 1 : -1;
+		return signs.edgeAgainstEdge(i, j) == -inside;
+	};
+	for (int j = 0; j < 3; ++j) {
+		if (isOutside(crossing[0], j) && isOutside(crossing[1], j)) {
+			return true;
+		}
+	}
+	return false;
+}
+
 // The contact of a pair none of whose signs that matter is zero. False where one is: the pair then
 // needs NamedPoints.
 bool genericContact(PairSigns& signs, Ends& ends) {
+	const auto isZero = [&](int face, int i) { return signs.side(face, i) == 0; };
+	if (isZero(0, 0) || isZero(0, 1) || isZero(0, 2)) {
+		return false;
+	}
+	if (passesOutside(signs)) {
+		return true;
+	}
 	for (int face = 0; face < 2; ++face) {
 		for (int i = 0; i < 3; ++i) {
-			if (signs.side(face, i) == 0) {
+			if (isZero(face, i)) {
 				return false;
 			}
 			if (!signs.edgeStraddles(face, i)) {

@@ -138,60 +138,107 @@ BoundingBox FaceLocator::boxOf(FaceId face, std::size_t along) const {
 	return box;
 }
 
+// The search for wanted vertices that lie outside of their own faces.
+struct FaceLocator::PartSearch {
+	PartSearch(const FaceLocator& l, const std::vector<WantedPlace>& w,
+	           const std::vector<std::size_t>& m);
+
+	void lookIn(FaceId face);
+	bool mayHoldAny(std::size_t begin, std::size_t end) const;
+
+	std::uint8_t axisFor(FaceId face) const { return at(axisOf, locator.partOf(face)); }
+
+	const FaceLocator& locator;
+	const std::vector<WantedPlace>& wanted;
+	const std::vector<std::size_t>& missing;        // of them
+	std::vector<std::uint8_t> axisOf;               // per part, if it is asked: one for one plane
+	BoxTree tree;                                   // of the places of the missing
+	std::vector<std::atomic<std::uint32_t>> first;  // per missing: the face it lies in
+};
+
+FaceLocator::PartSearch::PartSearch(const FaceLocator& l, const std::vector<WantedPlace>& w,
+                                    const std::vector<std::size_t>& m)
+    : locator(l), wanted(w), missing(m), axisOf(l.arrangement_.mesh.triangles.size(), kNoAxis),
+      first(m.size()) {
+	const MeshArrays& mesh = locator.arrangement_.mesh;
+	std::vector<BoundingBox> places;
+	for (const std::size_t i : missing) {
+		const FaceId part = locator.partOf(wanted[i].face);
+		int sign = 0;
+		at(axisOf, part) =
+		    static_cast<std::uint8_t>(projectionAxis(at(mesh.triangles, part), mesh.points, sign));
+		const Point& place = locator.placeOf(wanted[i].vertex);
+		places.push_back({place, place});
+	}
+	tree = BoxTree(std::move(places));
+	for (std::atomic<std::uint32_t>& face : first) {
+		face = kNone;
+	}
+}
+
+void FaceLocator::PartSearch::lookIn(FaceId face) {
+	const std::uint8_t axis = axisFor(face);
+	if (axis == kNoAxis) {
+		return;
+	}
+	const BoundingBox box = locator.boxOf(face, axis);
+	const auto mayHold = [&box](const BoundingBox& vertices) { return overlap(box, vertices); };
+	tree.visit(0, mayHold, [&](std::uint32_t i) {
+		const WantedPlace& place = wanted[missing[i]];
+		PlaceInFace found{};
+		if (locator.partOf(place.face) == locator.partOf(face) && face.value < first[i] &&
+		    locator.placeIn(face, place.vertex, found)) {
+			lowerTo(face.value, first[i]);
+		}
+	});
+}
+
+// Whether any of some faces may hold a vertex: one look at the tree that mostly spares many.
+bool FaceLocator::PartSearch::mayHoldAny(std::size_t begin, std::size_t end) const {
+	BoundingBox all = emptyBox();
+	for (std::size_t f = begin; f < end; ++f) {
+		const auto face = makeId<FaceTag>(f);
+		if (const std::uint8_t axis = axisFor(face); axis != kNoAxis) {
+			const BoundingBox box = locator.boxOf(face, axis);
+			all.add(box.lo);
+			all.add(box.hi);
+		}
+	}
+	bool found = false;
+	tree.visit(
+	    0, [&](const BoundingBox& vertices) { return !found && overlap(all, vertices); },
+	    [&found](std::uint32_t) { found = true; });
+	return found;
+}
+
 // Looks for those of the wanted vertices that lie outside of their own faces in all faces of their
 // parts: of the faces that hold one, the first counts.
 Status FaceLocator::locateInParts(const std::vector<WantedPlace>& wanted,
                                   const std::vector<std::size_t>& missing, Monitor& monitor,
                                   std::vector<PlaceInFace>& out) const {
 	constexpr std::size_t kFaces = 1 << 13, kPlaces = 64;  // of a chunk
+	constexpr std::size_t kNear = 32;  // faces one after another, which mostly lie near each other
 	const int threads = arrangement_.options.threads;
-	const MeshArrays& mesh = arrangement_.mesh;
-	const std::size_t n = mesh.triangles.size();
-	std::vector<std::uint8_t> axisOf(n, kNoAxis);  // per part, if it is asked: one for one plane
-	std::vector<BoundingBox> places;
-	for (const std::size_t i : missing) {
-		const FaceId part = partOf(wanted[i].face);
-		int sign = 0;
-		at(axisOf, part) =
-		    static_cast<std::uint8_t>(projectionAxis(at(mesh.triangles, part), mesh.points, sign));
-		const Point& place = placeOf(wanted[i].vertex);
-		places.push_back({place, place});
-	}
-	const BoxTree tree(std::move(places));
-	std::vector<std::atomic<std::uint32_t>> first(missing.size());
-	for (std::atomic<std::uint32_t>& face : first) {
-		face = kNone;
-	}
-	const auto lookIn = [&](FaceId face) {
-		const std::uint8_t axis = at(axisOf, partOf(face));
-		if (axis == kNoAxis) {
-			return;
-		}
-		const BoundingBox box = boxOf(face, axis);
-		const auto mayHold = [&box](const BoundingBox& vertices) { return overlap(box, vertices); };
-		tree.visit(0, mayHold, [&](std::uint32_t i) {
-			const WantedPlace& place = wanted[missing[i]];
-			PlaceInFace found{};
-			if (partOf(place.face) == partOf(face) && face.value < first[i] &&
-			    placeIn(face, place.vertex, found)) {
-				lowerTo(face.value, first[i]);
-			}
-		});
-	};
+	PartSearch search(*this, wanted, missing);
 	const auto lookInChunk = [&](std::size_t begin, std::size_t end) {
-		for (std::size_t f = begin; f < end; ++f) {
-			lookIn({static_cast<std::uint32_t>(f)});
+		for (std::size_t f = begin; f < end; f += kNear) {
+			const std::size_t last = std::min(f + kNear, end);
+			const bool isNear = search.mayHoldAny(f, last);
+			for (std::size_t g = f; isNear && g < last; ++g) {
+				search.lookIn(makeId<FaceTag>(g));
+			}
 		}
 	};
 	const auto fill = [&](std::size_t begin, std::size_t end) {
 		for (std::size_t i = begin; i < end; ++i) {
-			if (first[i] != kNone) {
-				placeIn({first[i]}, wanted[missing[i]].vertex, out[missing[i]]);
+			if (search.first[i] != kNone) {
+				placeIn({search.first[i]}, wanted[missing[i]].vertex, out[missing[i]]);
 			}
 		}
 	};
+	const std::size_t n = arrangement_.mesh.triangles.size();
 	return inOrder([&] { return parallelFor(n, kFaces, threads, monitor, lookInChunk); },
-	               [&] { return parallelFor(first.size(), kPlaces, threads, monitor, fill); });
+	               [&] { return parallelFor(missing.size(), kPlaces, threads, monitor, fill); });
 }
 
 // A face that was merged with others of its polygon may have corners outside of its own source:

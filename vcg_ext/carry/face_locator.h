@@ -58,6 +58,8 @@ public:
 	              std::vector<PlaceInFace>& out) const;
 
 private:
+	struct PartSearch;
+
 	bool isAt(VertexId input, std::uint32_t vertex) const;
 	int cornerOfName(const Triangle& given, std::uint32_t id) const;
 	int cornerOpposite(const Triangle& given, std::uint32_t low, std::uint32_t high) const;

@@ -7,9 +7,8 @@
 
 #include "vcg_ext/base/bucket_sort.h"
 #include "vcg_ext/base/concurrent_sets.h"
-#include "vcg_ext/base/edge_table.h"
+#include "vcg_ext/base/edge_buckets.h"
 #include "vcg_ext/base/parallel.h"
-#include "vcg_ext/base/parallel_list.h"
 
 #include <algorithm>
 #include <functional>
@@ -49,7 +48,7 @@ private:
 	void countWholeFaces();
 	void markIntact();
 	Status listHalfEdges();
-	bool joinsNext(std::size_t i) const;
+	bool areJoined(const EdgeSide* first, const EdgeSide* last) const;
 	Status joinPieces();
 	Status findSimple();
 	Status checkVertices();
@@ -59,10 +58,6 @@ private:
 		return at(arrangement_.polygons.polygon, output_.faceSource[face].face).value;
 	}
 	std::uint32_t partOf(std::size_t face) const { return part_.empty() ? 0 : part_[face]; }
-	// The polygon, and the side of it that is outside.
-	std::uint32_t sideOf(std::size_t face) const {
-		return 2 * polygonOf(face) + (output_.faceSource[face].turned ? 1 : 0);
-	}
 
 	const Arrangement& arrangement_;
 	const MeshArrays& mesh_;
@@ -70,13 +65,14 @@ private:
 	Monitor& monitor_;
 	SourcedMesh& output_;
 	std::vector<std::uint32_t> size_;  // faces of a polygon, at its first face
+	HugeVector<std::uint32_t> side_;   // per face of the mesh: 2 * its polygon, + 1 if it is turned
 	HugeVector<std::uint8_t> whole_;   // per face of the mesh: its faux edges in the input, if it
 	                                   // is all of an input face of a polygon; else kNotWhole
-	std::vector<std::uint32_t> present_;  // of whole faces in one part of the mesh, per side
+	HugeVector<std::uint32_t> present_;  // of whole faces in one part of the mesh, per side
 	// Faces of the mesh in polygons that are not whole; and which these are.
 	std::vector<std::uint32_t> broken_;
 	std::vector<std::uint8_t> isBroken_;
-	HugeVector<HalfEdge> halfEdges_;  // their edges, and others on the same two vertices; by edge
+	EdgeBuckets edges_;  // theirs, with the sides of others on the same two vertices
 	// Per face of the mesh, as faux edges are marked: those that join faces of one side of a
 	// polygon; and the set of faces that are joined across them.
 	std::vector<std::uint8_t> inner_;
@@ -110,11 +106,14 @@ Status Marker::findWholeFaces() {
 		++at(size_, first);
 	}
 	whole_.resizeForOverwrite(output_.triangles.size());
+	side_.resizeForOverwrite(output_.triangles.size());
 	return parallelFor(whole_.size(), kGrain, arrangement_.options.threads, monitor_,
 	                   [this](std::size_t begin, std::size_t end) {
 		                   for (std::size_t f = begin; f < end; ++f) {
 			                   std::uint8_t faux = 0;
-			                   const bool isPart = size_[polygonOf(f)] > 1;
+			                   const std::uint32_t polygon = polygonOf(f);
+			                   const bool isPart = size_[polygon] > 1;
+			                   side_[f] = 2 * polygon + (output_.faceSource[f].turned ? 1 : 0);
 			                   whole_[f] = isPart && isWhole(f, faux) ? faux : kNotWhole;
 		                   }
 	                   });
@@ -127,7 +126,7 @@ void Marker::countWholeFaces() {
 		if (whole_[f] == kNotWhole) {
 			continue;
 		}
-		const std::uint32_t side = sideOf(f);
+		const std::uint32_t side = side_[f];
 		if (!part.empty() && present_[side] == 0) {
 			part[side] = partOf(f);
 		}
@@ -139,11 +138,11 @@ void Marker::markIntact() {
 	output_.faux.assign(output_.triangles.size(), 0);
 	isBroken_.assign(output_.triangles.size(), 0);
 	for (std::size_t f = 0; f < output_.triangles.size(); ++f) {
-		const std::uint32_t size = size_[polygonOf(f)];
+		const std::uint32_t size = size_[side_[f] / 2];
 		if (size == 1) {
 			continue;
 		}
-		if (whole_[f] != kNotWhole && present_[sideOf(f)] == size) {
+		if (whole_[f] != kNotWhole && present_[side_[f]] == size) {
 			output_.faux[f] = whole_[f];
 		} else {
 			isBroken_[f] = 1;
@@ -168,44 +167,28 @@ Status Marker::listHalfEdges() {
 			}
 		}
 	};
-	const int threads = arrangement_.options.threads;
-	return inOrder(
-	    [&] {
-		    return listInParallel(output_.triangles.size(), visitEdges, threads, monitor_,
-		                          halfEdges_);
-	    },
-	    [&] { return sortByEdge(halfEdges_, output_.points.size(), threads, monitor_); });
+	return edges_.list(output_.triangles.size(), output_.points.size(), visitEdges, monitor_);
 }
 
-// Whether the i-th of the sorted half-edges and the next one are all of an edge inside one side of
-// a polygon.
-bool Marker::joinsNext(std::size_t i) const {
-	const HugeVector<HalfEdge>& sorted = halfEdges_;
-	if (i + 1 >= sorted.size() || !sorted[i].sameEdge(sorted[i + 1]) ||
-	    sorted[i].forward == sorted[i + 1].forward ||
-	    (i > 0 && sorted[i - 1].sameEdge(sorted[i])) ||
-	    (i + 2 < sorted.size() && sorted[i + 2].sameEdge(sorted[i]))) {
+// Whether an edge, all of whose sides are given, is inside one side of a polygon.
+bool Marker::areJoined(const EdgeSide* first, const EdgeSide* last) const {
+	if (last - first != 2 || first[0].forward == first[1].forward) {
 		return false;
 	}
-	const std::uint32_t a = sorted[i].face, b = sorted[i + 1].face;
-	return isBroken_[a] != 0 && isBroken_[b] != 0 && sideOf(a) == sideOf(b) &&
-	       partOf(a) == partOf(b);
+	const std::uint32_t a = first[0].face, b = first[1].face;
+	return isBroken_[a] != 0 && isBroken_[b] != 0 && side_[a] == side_[b] && partOf(a) == partOf(b);
 }
 
-// \pre the half-edges are sorted
 Status Marker::joinPieces() {
 	const std::size_t n = output_.triangles.size();
 	const int threads = arrangement_.options.threads;
 	ConcurrentSets sets(n);
-	HugeVector<std::uint8_t> joins = HugeVector<std::uint8_t>::forOverwrite(halfEdges_.size());
 	set_.resizeForOverwrite(n);
 	inner_.assign(n, 0);
-	const auto join = [&](std::size_t begin, std::size_t end) {
-		for (std::size_t i = begin; i < end; ++i) {
-			joins[i] = joinsNext(i) ? 1 : 0;
-			if (joins[i] != 0) {
-				sets.unite(halfEdges_[i].face, halfEdges_[i + 1].face);
-			}
+	const auto join = [&](std::size_t, EdgeSide* first, EdgeSide* last) {
+		if (areJoined(first, last)) {
+			sets.unite(first[0].face, first[1].face);
+			first[0].mark = first[1].mark = true;
 		}
 	};
 	const auto listSets = [&](std::size_t begin, std::size_t end) {
@@ -217,12 +200,11 @@ Status Marker::joinPieces() {
 	const auto makeSets = [&](std::size_t begin, std::size_t end) { sets.makeSets(begin, end); };
 	const Status status =
 	    inOrder([&] { return parallelFor(n, kGrain, threads, monitor_, makeSets); },
-	            [&] { return parallelFor(joins.size(), kGrain, threads, monitor_, join); },
+	            [&] { return edges_.forEachEdge(threads, monitor_, join); },
 	            [&] { return parallelFor(n, kGrain, threads, monitor_, listSets); });
-	for (std::size_t i = 0; i < joins.size() && status.ok(); ++i) {
-		if (joins[i] != 0) {
-			markFaux(inner_[halfEdges_[i].face], halfEdges_[i].corner);
-			markFaux(inner_[halfEdges_[i + 1].face], halfEdges_[i + 1].corner);
+	for (const EdgeSide& side : edges_.sides()) {  // in order: the edges of a face share a byte
+		if (side.mark) {
+			markFaux(inner_[side.face], side.corner);
 		}
 	}
 	return status;

@@ -27,6 +27,7 @@
 // small, but the same in every numbering.
 #include "vcg_ext/solids/merge_fragments.h"
 
+#include "vcg_ext/arrange/joined_polygons.h"
 #include "vcg_ext/arrange/places.h"
 #include "vcg_ext/base/groups.h"
 #include "vcg_ext/base/parallel.h"
@@ -102,6 +103,15 @@ private:
 	bool isBefore(std::uint32_t a, std::uint32_t b) const {
 		return comparePlaces(arrangement_, block_.vertexSource[a], block_.vertexSource[b]) < 0;
 	}
+	// The faces at a vertex, dead ones too. Most vertices of a block have none that may go.
+	const std::vector<std::uint32_t>& facesAt(std::uint32_t v) const { return lists_[listAt_[v]]; }
+	void addFaceAt(std::uint32_t v, std::uint32_t face) {
+		if (listAt_[v] == 0) {
+			listAt_[v] = static_cast<std::uint32_t>(lists_.size());
+			lists_.emplace_back();
+		}
+		lists_[listAt_[v]].push_back(face);
+	}
 	const FaceSource& sourceOf(std::uint32_t face) const {
 		return block_.faceSource[faces_[face].origin];
 	}
@@ -110,26 +120,28 @@ private:
 	const MeshArrays& mesh_;
 	Monitor& monitor_;
 	Block& block_;
+	EdgeList flatEdges_;                     // that the curve may pass through inside a polygon
 	std::vector<std::uint8_t> isCandidate_;  // per vertex of the block
 	// Per vertex of the block: an input face's corner, or in a face that keeps its cuts.
 	std::vector<std::uint8_t> isFixed_;
 	std::vector<std::uint32_t> candidates_;
 	std::vector<StarFace> faces_;
-	std::vector<std::vector<std::uint32_t>> facesAt_;  // per vertex of the block; dead ones too
-	std::vector<std::uint8_t> removed_;                // per vertex of the block
-	std::size_t originalCount_ = 0;                    // of the faces, those of the block
+	std::vector<std::uint32_t> listAt_;  // per vertex of the block: which of the lists it has
+	// Of faces, dead ones too. The first is empty, for vertices that have none.
+	std::vector<std::vector<std::uint32_t>> lists_ = std::vector<std::vector<std::uint32_t>>(1);
+	std::vector<std::uint8_t> removed_;  // per vertex of the block
+	std::size_t originalCount_ = 0;      // of the faces, those of the block
 };
 
 // Whether a point of the curve lies inside a polygon, on an edge of its triangulation: the curve
 // may pass straight through it.
 bool Merger::liesInPolygon(VertexId v) const {
-	const auto& edges = arrangement_.polygons.flatEdges;
-	if (edges.empty() || !arrangement_.isCurvePoint(v)) {
+	if (flatEdges_.empty() || !arrangement_.isCurvePoint(v)) {
 		return false;
 	}
 	const PointName& name = at(arrangement_.curve.names, arrangement_.pointOf(v));
 	return name.kind == PointKind::EdgeFace &&
-	       std::binary_search(edges.begin(), edges.end(),
+	       std::binary_search(flatEdges_.begin(), flatEdges_.end(),
 	                          std::array{VertexId{name.ids[0]}, VertexId{name.ids[1]}});
 }
 
@@ -164,7 +176,7 @@ void Merger::keepCopies() {
 
 void Merger::collectFaces() {
 	const bool all = wholeBlock() || block_.anySuspectOffCurve;
-	facesAt_.resize(block_.points.size());
+	listAt_.resize(block_.points.size());
 	isFixed_.resize(block_.points.size());
 	for (std::size_t f = all ? 0 : block_.firstPiece; f < block_.triangles.size(); ++f) {
 		const IndexTriangle& t = block_.triangles[f];
@@ -177,7 +189,7 @@ void Merger::collectFaces() {
 		const Triangle& parent = at(mesh_.triangles, block_.faceSource[f].face);
 		const bool isKept = block_.keepsCutsOf(f);
 		for (const std::uint32_t v : t) {
-			facesAt_[v].push_back(face);
+			addFaceAt(v, face);
 			const bool isCorner =
 			    std::find(parent.begin(), parent.end(), block_.vertexSource[v]) != parent.end();
 			if (isKept || (isCorner && !wholeBlock())) {
@@ -218,7 +230,8 @@ void Merger::sortCandidates() {
 // The edges opposite a vertex, in any order.
 std::vector<LinkEdge> Merger::linkOf(std::uint32_t v) const {
 	std::vector<LinkEdge> edges;
-	for (const std::uint32_t face : facesAt_[v]) {
+	edges.reserve(facesAt(v).size());
+	for (const std::uint32_t face : facesAt(v)) {
 		const StarFace& f = faces_[face];
 		for (std::size_t i = 0; f.alive && i < 3; ++i) {
 			if (f.corners[i] == v) {
@@ -244,6 +257,7 @@ bool Merger::findStar(std::uint32_t v, Star& star) const {
 	const auto first = std::min_element(edges.begin(), edges.end(), byPlace);
 	std::uint32_t from = first->from;
 	star.clear();
+	star.reserve(edges.size());
 	do {
 		const auto [begin, end] =
 		    std::equal_range(edges.begin(), edges.end(), LinkEdge{from, 0, 0}, byFrom);
@@ -258,9 +272,9 @@ bool Merger::findStar(std::uint32_t v, Star& star) const {
 
 // Whether no face has an edge between two vertices, in either direction.
 bool Merger::isFree(std::uint32_t a, std::uint32_t b) const {
-	const std::uint32_t fewer = facesAt_[a].size() < facesAt_[b].size() ? a : b;
+	const std::uint32_t fewer = facesAt(a).size() < facesAt(b).size() ? a : b;
 	const std::uint32_t other = fewer == a ? b : a;
-	return std::none_of(facesAt_[fewer].begin(), facesAt_[fewer].end(), [&](std::uint32_t face) {
+	return std::none_of(facesAt(fewer).begin(), facesAt(fewer).end(), [&](std::uint32_t face) {
 		const StarFace& f = faces_[face];
 		return f.alive && std::find(f.corners.begin(), f.corners.end(), other) != f.corners.end();
 	});
@@ -274,6 +288,7 @@ bool Merger::fill(const Hole& hole, std::uint32_t v, std::vector<StarFace>& out)
 	polygon.centre = exact(v);
 	polygon.axis = projectionAxis(at(mesh_.triangles, source.face), mesh_.points, polygon.front);
 	polygon.front = source.turned ? -polygon.front : polygon.front;
+	polygon.corners.reserve(hole.corners.size());
 	for (const std::uint32_t corner : hole.corners) {
 		polygon.corners.push_back(exact(corner));
 	}
@@ -297,6 +312,7 @@ Hole Merger::holeOf(const Star& star, std::size_t begin, std::size_t end) const 
 	const std::size_t n = star.size();
 	const StarFace& face = faces_[star[begin % n].face];
 	Hole hole{{}, face.group, face.origin};
+	hole.corners.reserve(end - begin + 1);
 	const std::size_t last = end - begin == n ? end - 1 : end;
 	for (std::size_t i = begin; i <= last; ++i) {
 		hole.corners.push_back(star[i % n].from);
@@ -346,7 +362,7 @@ void Merger::replace(const Star& star, const std::vector<StarFace>& filling) {
 	}
 	for (const StarFace& face : filling) {
 		for (const std::uint32_t corner : face.corners) {
-			facesAt_[corner].push_back(static_cast<std::uint32_t>(faces_.size()));
+			addFaceAt(corner, static_cast<std::uint32_t>(faces_.size()));
 		}
 		faces_.push_back(face);
 	}
@@ -388,7 +404,10 @@ void Merger::compactFaces() {
 }
 
 Status Merger::run() {
-	Status status;
+	Status status = wholeBlock() ? Status{} : listFlatEdges(arrangement_, monitor_, flatEdges_);
+	if (!status.ok()) {
+		return status;
+	}
 	listCandidates();
 	keepCopies();
 	if (candidates_.empty()) {

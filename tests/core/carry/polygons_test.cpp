@@ -266,6 +266,45 @@ TEST(Polygons, anEdgeThatOneFaceAloneCallsFauxIsAnEdge) {
 	EXPECT_EQ(std::count(sizes.begin(), sizes.end(), 5), 2);
 }
 
+// Two boxes of one operand have an edge in common, and walls in one plane on either side of it. Two
+// faces there, of one box or of both, call the edge faux and follow each other in the list.
+TEST(Polygons, anEdgeOfFourFacesJoinsNoneOfThem) {
+	const Mesh m = joined(box({0, 0, 0}, {2, 2, 2}), box({2, 2, 0}, {4, 4, 2}));
+	const Edge common = edgeOf({2, 2, 0}, {2, 2, 2});
+	using Place = std::array<std::size_t, 2>;  // a face and a corner
+	std::vector<Place> sides;
+	for (std::size_t i = 0; i < 3 * m.triangles.size(); ++i) {
+		const auto& t = m.triangles[i / 3];
+		if (edgeOf(m.points[t[i % 3]], m.points[t[(i + 1) % 3]]) == common) {
+			sides.push_back({i / 3, i % 3});
+		}
+	}
+	ASSERT_EQ(sides.size(), 4u);
+	for (const Place& a : sides) {
+		for (const Place& b : sides) {
+			if (a[0] == b[0]) {
+				continue;
+			}
+			Mesh marked = m;
+			marked.faux.assign(m.triangles.size(), 0);
+			marked.faux[a[0]] = static_cast<std::uint8_t>(1U << a[1]);
+			marked.faux[b[0]] = static_cast<std::uint8_t>(1U << b[1]);
+			const auto move = [&](std::size_t from, std::size_t to) {
+				std::swap(marked.triangles[from], marked.triangles[to]);
+				std::swap(marked.faux[from], marked.faux[to]);
+			};
+			move(a[0], 0);
+			move(b[0] == 0 ? a[0] : b[0], 1);
+			const BooleanRun r = run(marked, box({0.5, 0.5, 1}, {1, 1, 3}));
+			ASSERT_TRUE(r.status.ok()) << describe(r.status);
+			const std::vector<FaceId>& polygon = r.arrangement.polygons.polygon;
+			for (std::uint32_t f = 0; f < polygon.size(); ++f) {
+				EXPECT_EQ(polygon[f].value, f);
+			}
+		}
+	}
+}
+
 TEST(Polygons, meshesWithoutFauxEdgesPayNothing) {
 	const BooleanRun r = run(box({0, 0, 0}, {4, 4, 4}), sphere(8, {0, 0, 0}, 2));
 	ASSERT_TRUE(r.status.ok());
