@@ -32,7 +32,7 @@ LOOK = dict(
 # name: direction to the camera, upwards, how far pieces are pulled apart, what fills the picture
 VIEWS = {
     "blocks": ((1.0, 0.6, 0.55), (0, 0, 1), 0.45, 1.15),
-    "open": ((0.55, -1.0, 0.75), (0, 0, 1), 0.12, 1.05),
+    "open": ((0.55, -1.0, 0.75), (0, 0, 1), 0.12, 0.95),
     "falcon": ((-0.75, 0.3, 0.9), (0, 1, 0), 0.3, 1.0),
     "lion": ((0.95, 0.45, 0.3), (0, 0, 1), 0.3, 0.95),
     "cylinders": ((0.8, 0.9, 0.7), (0, 0, 1), 0.4, 1.1),

@@ -54,9 +54,9 @@ def draw_faults():
     plotter = plotter_of(2)
 
     def operands():
-        plotter.add_mesh(surface_of(*BLOCK), color=FIRST_COLOUR, opacity=0.55, **LOOK)
+        plotter.add_mesh(surface_of(*BLOCK), color=FIRST_COLOUR, **LOOK)
         for fault in FAULTS:
-            plotter.add_mesh(surface_of(*fault), color=SECOND_COLOUR, **LOOK)
+            plotter.add_mesh(surface_of(*fault), color=SECOND_COLOUR, opacity=0.35, **LOOK)
 
     def blocks():
         for piece, colour in pulled_apart(

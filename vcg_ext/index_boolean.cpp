@@ -334,10 +334,18 @@ Status withClosingDistance(Status refusal, const InputAgain& again, Options opti
 	return status.code == StatusCode::Cancelled ? status : refusal;
 }
 
+// Of an open operand, the same; any other status as it is.
+Status orClosingDistance(Status status, const InputAgain& again, const Options& options,
+                         Monitor& monitor) {
+	return status.code == StatusCode::NotClosed
+	           ? withClosingDistance(std::move(status), again, options, monitor)
+	           : status;
+}
+
 }  // namespace
 
-Status arrangeExpression(MeshArrays input, const Expression& expression, const Options& options,
-                         Monitor& monitor, Arrangement& out) {
+Status arrangeExpression(MeshArrays input, const InputAgain& again, const Expression& expression,
+                         const Options& options, Monitor& monitor, Arrangement& out) {
 	return guarded([&] {
 		const auto all = input.operands();
 		const bool isParityAll = std::all_of(all.begin(), all.end(), [&](OperandId operand) {
@@ -345,9 +353,10 @@ Status arrangeExpression(MeshArrays input, const Expression& expression, const O
 		});
 		Options asked = options;
 		asked.windingRule = isParityAll ? WindingRule::Odd : WindingRule::Nonzero;
-		return inOrder([&] { return refuseWithoutFaces(input); },
-		               [&] { return arrangeCells(std::move(input), asked, monitor, out); },
-		               [&] { return refuseUnlessSolids(out); });
+		Status status = inOrder([&] { return refuseWithoutFaces(input); },
+		                        [&] { return arrangeCells(std::move(input), asked, monitor, out); },
+		                        [&] { return refuseUnlessSolids(out); });
+		return orClosingDistance(std::move(status), again, asked, monitor);
 	});
 }
 
@@ -359,9 +368,7 @@ Status arrangeOperands(MeshArrays input, const InputAgain& again, const Options&
 	}
 	Status result = inOrder([&] { return arrangeAgain(kCells, again, options, monitor, out); },
 	                        [&] { return refuseUnlessSolids(out); });
-	return result.code == StatusCode::NotClosed
-	           ? withClosingDistance(std::move(result), again, options, monitor)
-	           : result;
+	return orClosingDistance(std::move(result), again, options, monitor);
 }
 
 namespace {
@@ -587,7 +594,7 @@ Status requireSolids(const std::vector<OperandId>& solids, const InputAgain& aga
 	for (std::size_t i = 0; i < solids.size() && status.ok(); ++i) {
 		status = guarded([&] { return refuseSolid(out, parts.blocks, solids[i]); });
 	}
-	return status;
+	return orClosingDistance(std::move(status), again, out.options, monitor);
 }
 
 Status extractCurve(const Arrangement& arrangement, Monitor& monitor, CurveLines& out) {

@@ -69,23 +69,24 @@ Status extractBlock(const Arrangement& arrangement, const CellPredicate& isInsid
 Status extractBlock(const Arrangement& arrangement, const CellSet& isInside,
                     const CellSet& isInsideAsStored, Monitor& monitor, Block& out);
 
+// Makes a run's operands once more, as they were given, for a run that begins again.
+using InputAgain = std::function<Status(MeshArrays& out)>;
+
 // Intersects the operands of an expression, for the blocks of its statements (cellsOf): as
 // arrangeCells, and each operand has to be closed as it is cut and to enclose something. If the
 // expression asks for no more than the parity of winding numbers, faces may be turned anyhow.
 // options.windingRule does not matter: what an operand is true of is the expression's.
 // \param input the expression's operands, in its order
-// \return as arrangeCells; EmptyOperand, NotClosed, NotOriented or NoVolume of an operand that is
-//         not so
+// \param again called only for what is not closed: to find the weldDistance that would close it
+// \return as arrangeCells; EmptyOperand, NotClosed (with that distance, if there is one),
+//         NotOriented or NoVolume of an operand that is not so
 // Complexity: as arrangeCells.
-Status arrangeExpression(MeshArrays input, const Expression& expression, const Options& options,
-                         Monitor& monitor, Arrangement& out);
+Status arrangeExpression(MeshArrays input, const InputAgain& again, const Expression& expression,
+                         const Options& options, Monitor& monitor, Arrangement& out);
 
 // All bounded cells: what the outside does not reach, whatever the winding numbers are. Throws
 // std::bad_alloc. \pre the arrangement has cells. Complexity: O(c) for c cells.
 CellSet boundedCells(const Arrangement& arrangement);
-
-// Makes a run's operands once more, as they were given, for a run that begins again.
-using InputAgain = std::function<Status(MeshArrays& out)>;
 
 // Intersects two closed operands, which may meet themselves, for blocks: as arrange, and what that
 // refuses for being no embedded surfaces, as arrangeCells. options.selfIntersections says what is
@@ -137,9 +138,10 @@ Status splitOperandSurfaces(MeshArrays input, const InputAgain& again, const Opt
 // Sees to it that some operands of a split are solids, by which others can be clipped: what is open
 // as it was given may be closed as it is cut, or by the winding rule, for which the run begins
 // again as one soup. \param again as for splitOperands \param out, parts as splitOperands has left
-// them; replaced if the run begins again \return NotClosed, NotOriented or NoVolume of the first
-// operand that is none; any StatusCode of
-//         splitOperands. Complexity: O(c) for c sub-blocks, or that of splitOperands.
+// them; replaced if the run begins again \return NotClosed (with the weldDistance that
+// would close it, if there is one), NotOriented, or as refuseWithoutInside of the first
+//         operand that is none; any StatusCode of splitOperands. Complexity: O(c) for c sub-blocks,
+//         or that of splitOperands.
 Status requireSolids(const std::vector<OperandId>& solids, const InputAgain& again,
                      Monitor& monitor, Arrangement& out, Split& parts);
 

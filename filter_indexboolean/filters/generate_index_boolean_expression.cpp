@@ -122,8 +122,10 @@ FilterOutput generateIndexBooleanExpression(const ParameterValues& values, MeshD
 	seconds.readLayers = total.seconds();
 
 	ExpressionResult result;
-	refuseDefect(runExpression(std::move(read.arrays), expression, request, progress, result), read,
-	             operands);
+	const InputAgain again = inputAgain(operands, read, progress);
+	refuseDefect(
+	    runExpression(std::move(read.arrays), again, expression, request, progress, result), read,
+	    operands);
 
 	const Stopwatch writing;
 	const std::vector<std::string> labels = labelsOf(expression);

@@ -36,8 +36,10 @@ FilterOutput generateIndexBooleanResolve(const ParameterValues& values, MeshDocu
 	seconds.readLayers = total.seconds();
 
 	ExpressionResult result;
-	refuseDefect(runExpression(std::move(read.arrays), expressionOfOne(request.options.windingRule),
-	                           request, progress, result),
+	const InputAgain again = inputAgain(operands, read, progress);
+	refuseDefect(runExpression(std::move(read.arrays), again,
+	                           expressionOfOne(request.options.windingRule), request, progress,
+	                           result),
 	             read, operands);
 
 	const Stopwatch writing;

@@ -33,7 +33,7 @@ inline void refuseSurface(Status status, OperandId operand, const MeasuredLayer&
 	if (!status.faces.empty()) {
 		selectFaces(status.faces, surface.elements.faces, *surface.layer);
 	}
-	refuseUnlessOk(status, names);
+	refuseUnlessOk(status, names, TakenFor::Reference);
 }
 
 }  // namespace index_boolean

@@ -18,14 +18,14 @@ std::vector<CellSet> cellsOf(const Arrangement& arrangement, const Expression& e
 
 }  // namespace
 
-Status runExpression(MeshArrays input, const Expression& expression,
+Status runExpression(MeshArrays input, const InputAgain& again, const Expression& expression,
                      const ExpressionRequest& request, Progress& progress,
                      ExpressionResult& result) {
 	const Stopwatch total;
 	Arrangement arrangement;
 	Monitor arranging = progress.nextPhase(kArrangeShare);
-	Status status =
-	    arrangeExpression(std::move(input), expression, request.options, arranging, arrangement);
+	Status status = arrangeExpression(std::move(input), again, expression, request.options,
+	                                  arranging, arrangement);
 	if (!status.ok()) {
 		return status;
 	}

@@ -19,10 +19,11 @@ struct ExpressionResult : BlocksResult {
 };
 
 // \param input    the expression's operands in its order; moved in
+// \param again    makes them once more, for a run that begins again
 // \param progress of which kRunShare is used up
 // \param result   meaningful only if the status is Ok
 // \return any StatusCode
-Status runExpression(MeshArrays input, const Expression& expression,
+Status runExpression(MeshArrays input, const InputAgain& again, const Expression& expression,
                      const ExpressionRequest& request, Progress& progress,
                      ExpressionResult& result);
 

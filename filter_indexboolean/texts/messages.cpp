@@ -61,7 +61,7 @@ constexpr std::array<Remedy, kStatusCodeCount> kRemedies{{
     {StatusCode::NoVolume, Subject::OneLayer,
      "What has no inside is no solid. generate_index_boolean_split (\"Index Boolean: Split into "
      "Sub-surfaces and Sub-blocks\") takes it for a surface.",
-     nullptr},
+     "What has no inside clips nothing: without a clip it is a surface like any other."},
     {StatusCode::NestedComponents, Subject::OneLayer, kReport, nullptr},
     {StatusCode::SelfIntersecting, Subject::OneLayer,
      "The faces found are selected. With self_intersections = resolve the layer is taken for what "
@@ -72,6 +72,9 @@ constexpr std::array<Remedy, kStatusCodeCount> kRemedies{{
     {StatusCode::WeldTooWide, Subject::OneLayer,
      "The faces at these vertices are selected. Choose a smaller weld_distance: one that is larger "
      "than the cracks and smaller than the edges.",
+     nullptr},
+    {StatusCode::BeyondFloat, Subject::OneLayer,
+     "These faces are selected. With certify_as = host results are kept in double precision.",
      nullptr},
 }};
 
@@ -135,6 +138,21 @@ std::string noneRequested(const char* noun, const std::vector<std::string>& para
 	       " is asked for. Set at least one of these to true: " + listed(parameters, ", ") + ".";
 }
 
+constexpr const char* kUnsignedReference =
+    "What has no inside gives no signs. With self_intersections = trust distances are measured to "
+    "its faces as they are.";
+
+// What can be done about a layer that is taken for this. What distances are measured to may be
+// open, as a surface, but is cut by nothing.
+const char* wordsOf(const Remedy& remedy, TakenFor kind) {
+	if (kind == TakenFor::Reference && remedy.code == StatusCode::NoVolume) {
+		return kUnsignedReference;
+	}
+	const bool isCut = kind == TakenFor::Surface || remedy.code != StatusCode::SelfIntersecting;
+	const bool isSurface = kind != TakenFor::Solid && isCut && remedy.forSurface != nullptr;
+	return isSurface ? remedy.forSurface : remedy.forSolid;
+}
+
 // What describe(status) goes on from: the name of one layer, or a heading for its whole sentence.
 std::string subjectOf(const Remedy& remedy, const Status& status, const LayerNames& layers) {
 	switch (remedy.subject) {
@@ -160,6 +178,9 @@ TakenFor takenFor(FilterId filter) {
 	case FilterId::GenerateIndexBooleanSplit:
 	case FilterId::GenerateIndexBooleanCurves:
 		return TakenFor::Surface;
+	case FilterId::ComputeIndexBooleanDistance:
+	case FilterId::ComputeIndexBooleanImplicit:
+		return TakenFor::Reference;
 	default:
 		return TakenFor::Solid;
 	}
@@ -175,8 +196,7 @@ std::string refusalMessage(const Status& status, const LayerNames& layers, Taken
 	if (status.code == StatusCode::EmptyOperand && status.count > 0) {
 		return defect + kDoubleSided;
 	}
-	const bool isSurface = kind == TakenFor::Surface && remedy.forSurface != nullptr;
-	return defect + (isSurface ? remedy.forSurface : remedy.forSolid);
+	return defect + wordsOf(remedy, kind);
 }
 
 std::string unknownLayerMessage(const ParameterDefinition& parameter, int id) {
@@ -379,6 +399,9 @@ std::string clipOutOfListMessage(const ParameterDefinition& clip, const LayerNam
 }
 
 std::string openSolidMessage(const Status& status, const LayerNames& layers) {
+	if (status.closingDistance > 0) {
+		return refusalMessage(status, layers, TakenFor::Surface);
+	}
 	return "Layer " + quoted(layers[operandOf(status)]) + " " + describe(status) +
 	       ". The faces at these edges are selected. What clips another layer must be closed, "
 	       "since only then it has an inside: close it with \"Close Holes\" (meshing_close_holes). "

@@ -22,7 +22,7 @@ namespace index_boolean {
 OperandId operandOf(const Status& status);
 
 // What a filter takes its layers for decides what can be done about one that it refuses.
-enum class TakenFor { Solid, Surface };
+enum class TakenFor { Solid, Surface, Reference };
 TakenFor takenFor(FilterId filter);
 
 // Why the run was refused. The status is not Ok.

@@ -17,6 +17,7 @@ import pyvista as pv  # noqa: E402
 
 _COLOURS = "RdBu_r"  # of two ends, with white between them
 _BACKGROUND = "white"
+_VIEW = (1.0, 0.6, 0.55)  # towards the camera
 
 
 def colour_limit(meshes):
@@ -25,25 +26,32 @@ def colour_limit(meshes):
     return max(sizes, default=0) or 1.0
 
 
+def draw_mesh(plotter, column, title, mesh, limit):
+    """One panel: mesh is (vertices, faces, distances, kind)."""
+    vertices, faces, distances, kind = mesh
+    plotter.subplot(0, column)
+    plotter.set_background(_BACKGROUND)
+    surface = (
+        pv.PolyData.from_regular_faces(vertices, faces) if len(faces) else pv.PolyData(vertices)
+    )
+    plotter.add_text(title, position="upper_edge", font_size=11, color="black")
+    data = surface.point_data if kind == "vertex" else surface.cell_data
+    data[title] = distances
+    plotter.add_mesh(
+        surface, scalars=title, cmap=_COLOURS, clim=(-limit, limit), nan_color="grey",
+        # The bar's own title would lie on its labels.
+        scalar_bar_args=dict(title=" " * (column + 1), color="black", vertical=False, fmt="%.3g"),
+    )
+    plotter.view_vector(_VIEW)
+
+
 def draw_meshes(meshes, kind, path):
     """One picture, a mesh beside the other, with a common scale. kind: "vertex" or "face"."""
     limit = colour_limit(meshes)
     size = (700 * len(meshes), 600)
     plotter = pv.Plotter(shape=(1, len(meshes)), off_screen=True, window_size=size)
-    for column, (side, (vertices, faces, distances)) in enumerate(meshes.items()):
-        plotter.subplot(0, column)
-        plotter.set_background(_BACKGROUND)
-        surface = (
-            pv.PolyData.from_regular_faces(vertices, faces) if len(faces) else pv.PolyData(vertices)
-        )
-        data = surface.point_data if kind == "vertex" else surface.cell_data
-        name = f"distance of the {side}"
-        data[name] = distances
-        plotter.add_mesh(
-            surface, scalars=name, cmap=_COLOURS, clim=(-limit, limit), nan_color="grey",
-            scalar_bar_args=dict(title=name, color="black", vertical=False, fmt="%.3g"),
-        )
-        plotter.view_vector((1.0, 0.6, 0.55))
+    for column, side in enumerate(meshes):
+        draw_mesh(plotter, column, f"distance of the {side}", (*meshes[side], kind), limit)
     plotter.screenshot(path)
     plotter.close()
 

@@ -14,6 +14,7 @@ _WORDS = (
         r"\b(self_intersections|winding_rule|weld_distance) = ([\w.+-]*\w)",
         lambda found: f"--{found[1].replace('_', '-')} {found[2]}",
     ),
+    (r"With certify_as = host\b", "With another --format than stl"),
     (r"\bweld_distance\b", "--weld-distance"),
     (r'"([^"]*)" \((meshing_\w+)\)', r"""MeshLab's "\1" (pymeshlab: \2)"""),
 )

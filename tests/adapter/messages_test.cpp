@@ -100,6 +100,28 @@ TEST(Messages, surfacesHaveNoHolesToCloseNorSolidsInside) {
 	}
 }
 
+TEST(Messages, aReferenceMayBeOpenAndIsCutByNothing) {
+	for (const FilterId filter :
+	     {FilterId::ComputeIndexBooleanDistance, FilterId::ComputeIndexBooleanImplicit}) {
+		const TakenFor kind = takenFor(filter);
+		const auto messageOf = [&](StatusCode code) {
+			return refusalMessage(statusOf(code), kLayers, kind);
+		};
+		EXPECT_FALSE(contains(messageOf(StatusCode::NotFinite), "Close Holes"));
+		EXPECT_FALSE(contains(messageOf(StatusCode::SelfIntersecting), "cut"));
+		EXPECT_TRUE(contains(messageOf(StatusCode::NoVolume), "self_intersections = trust"));
+	}
+}
+
+TEST(Messages, whatClipsIsSentToWeldingIfThatClosesIt) {
+	Status status = statusOf(StatusCode::NotClosed);
+	EXPECT_TRUE(contains(openSolidMessage(status, kLayers), "Close Holes"));
+	status.closingDistance = 1e-6;
+	const std::string message = openSolidMessage(status, kLayers);
+	EXPECT_TRUE(contains(message, "with weld_distance = 1e-06 the layer is closed")) << message;
+	EXPECT_FALSE(contains(message, "Close Holes")) << message;
+}
+
 TEST(Messages, whatWasWeldedAndReadAsFansIsTold) {
 	RunReport report;
 	report.vertexWeld = {1, 0.5};

@@ -16,6 +16,7 @@ std::string refusalDefect(const Status& status) {
 	switch (status.code) {
 	case StatusCode::EmptyOperand:
 	case StatusCode::NotFinite:
+	case StatusCode::BeyondFloat:
 	case StatusCode::IndexOutOfRange:
 	case StatusCode::NotClosed:
 	case StatusCode::NotOriented:

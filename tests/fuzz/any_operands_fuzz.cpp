@@ -16,6 +16,7 @@ std::string refusalDefect(const Status& status, std::size_t operands) {
 	switch (status.code) {
 	case StatusCode::EmptyOperand:
 	case StatusCode::NotFinite:
+	case StatusCode::BeyondFloat:
 	case StatusCode::IndexOutOfRange:
 	case StatusCode::WeldTooWide:
 		return status.operand >= 0 && static_cast<std::size_t>(status.operand) < operands

@@ -1,8 +1,9 @@
 # SPDX-FileCopyrightText: 2026 The Index Boolean authors
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Layers that are refused, with what the refusal says to do and the performance of it.
+"""Layers that the Boolean refuses, with what the refusal says to do and the performance of it.
 
-tests/python/test_refusals.py performs each and writes the table of docs/refusals.md from this list.
+tests/python/refusals_of_filters.py has those of the other filters. tests/python/test_refusals.py
+performs each and writes the table of docs/refusals.md from both lists.
 """
 
 import dataclasses
@@ -22,6 +23,16 @@ from test_reports import load, load_stl
 BOOLEAN = "generate_index_boolean"
 SPLIT = "generate_index_boolean_split"
 CURVES = "generate_index_boolean_curves"
+EXPRESSION = "generate_index_boolean_expression"
+RESOLVE = "generate_index_boolean_resolve"
+DISTANCE = "compute_index_boolean_distance"
+IMPLICIT = "compute_index_boolean_implicit"
+# What each filter is given where a case does not say it: layer 0 is the one to be refused.
+LAYERS = {
+    EXPRESSION: {"expression": "0 - 1"},
+    RESOLVE: {"mesh": 0},
+    IMPLICIT: {"points_mesh": 1, "reference_mesh": 0},
+}
 SECOND = box((1, 1.125, 1.25), (2.5, 2.625, 2.75))
 CUBE = box((0, 0, 0), (2, 2, 2))
 BALL = sphere((1.1, 1.2, 1.3), 0.9)
@@ -53,7 +64,8 @@ class Case:
 
 
 def run(mesh_set, filter_name=BOOLEAN, **parameters):
-    return getattr(mesh_set, filter_name)(**{"first_mesh": 0, "second_mesh": 1, **parameters})
+    layers = LAYERS.get(filter_name, {"first_mesh": 0, "second_mesh": 1})
+    return getattr(mesh_set, filter_name)(**{**layers, **parameters})
 
 
 def with_parameters(filter_name=BOOLEAN, **parameters):
@@ -73,9 +85,15 @@ def after(*filters, then=BOOLEAN, parameters=None):
     return perform
 
 
-def by_the_distance_named(mesh_set, message):
-    distance = float(re.search(r"weld_distance = ([\d.e+-]*\d)", message)[1])
-    return run(mesh_set, weld_distance=pymeshlab.PureValue(distance))
+def by_the_distance_named_in(filter_name, **parameters):
+    """A performance: the same, with the weld_distance that the refusal names."""
+
+    def perform(mesh_set, message):
+        distance = float(re.search(r"weld_distance = ([\d.e+-]*\d)", message)[1])
+        weld_distance = pymeshlab.PureValue(distance)
+        return run(mesh_set, filter_name, weld_distance=weld_distance, **parameters)
+
+    return perform
 
 
 def blocks_of(first, second, tolerance=1e-9):
@@ -196,7 +214,8 @@ def crack_cases():
         yield Case(
             "is not closed, by cracks", layer, "set `weld_distance` to the length that is named",
             r"They only just miss each other: with weld_distance = [\d.e+-]*\d the layer is closed",
-            lambda mesh=mesh, other=other: document(mesh, other), by_the_distance_named,
+            lambda mesh=mesh, other=other: document(mesh, other),
+            by_the_distance_named_in(BOOLEAN),
             blocks_of(welded_by_hand(mesh, distance), other, 1e-6),
         )
 
@@ -384,20 +403,3 @@ def parameter_cases():
             "weld_distance is -1. Choose a length of 0 or more",
             lambda mesh=mesh: document(mesh, SECOND), with_parameters(), blocks_of(mesh, SECOND),
             parameters={"weld_distance": pymeshlab.PureValue(-1)})
-
-
-CASES = list(cases())
-
-
-def table():
-    """The table of docs/refusals.md: each refusal, what helps, and what it was tried on."""
-    tried = {}
-    for case in CASES:
-        layers = tried.setdefault((case.refusal, case.remedy), {})
-        layers.setdefault(case.layer, []).append(case.filter)
-    lines = ["| the layer … | what helps | tried on | by |", "|---|---|---|---|"]
-    short = {BOOLEAN: "Boolean", SPLIT: "split", CURVES: "curves"}
-    for (refusal, remedy), layers in tried.items():
-        filters = [short[f] for f in short if any(f in used for used in layers.values())]
-        lines.append(f"| {refusal} | {remedy} | {'; '.join(layers)} | {', '.join(filters)} |")
-    return "\n".join(lines) + "\n"

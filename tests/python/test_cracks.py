@@ -138,6 +138,25 @@ class TestOpenByIndex:
             faces = made.mesh(result[f"{block}_layer"]).face_matrix()
             assert result[f"{block}_open_edges"] == open_edges(faces) == 0
 
+    @pytest.mark.parametrize("colours, parameters, is_open", [
+        (2, {}, True), (1, {}, False), (2, {"transfer_attributes": False}, False),
+    ])
+    def test_twoColoursInOnePlaceAreASeam(self, colours, parameters, is_open):
+        """With one vertex one of the two would be lost; else it is sewn."""
+        (vertices, faces), other = load("cgal7998_unwelded_caps")
+        caps = np.unique(vertices, axis=0, return_index=True)[1]
+        paint = np.ones((len(vertices), 4))
+        if colours == 2:
+            paint[caps, :3] = (1, 0, 0)
+        made = document((vertices, faces), other)
+        made.add_mesh(pymeshlab.Mesh(vertices, faces, v_color_matrix=paint), "painted")
+        result = run(made, first_mesh=2, **parameters)
+        for block in BLOCKS:
+            found = open_edges(made.mesh(result[f"{block}_layer"]).face_matrix())
+            assert result[f"{block}_open_edges"] == found
+            assert result[f"{block}_closed"]
+        assert (result["union_open_edges"] > 0) == is_open
+
     @pytest.mark.parametrize("parameters, is_open", [
         ({}, False), ({"duplicate_curve_vertices": True}, True),
         ({"transfer_attributes": False}, False),
@@ -181,7 +200,10 @@ def concave_prism(folder, suffix):
     polygons = [list(range(n))[::-1], [n + i for i in range(n)]]
     polygons += [[i, (i + 1) % n, n + (i + 1) % n, n + i] for i in range(n)]
     lines = [" ".join(map(str, p)) for p in points]
-    if suffix == "obj":
+    if suffix == "off":
+        rows = [f"{len(p)} " + " ".join(map(str, p)) for p in polygons]
+        text = "\n".join(["OFF", f"{len(points)} {len(polygons)} 0", *lines, *rows]) + "\n"
+    elif suffix == "obj":
         text = "".join(f"v {line}\n" for line in lines)
         text += "".join("f " + " ".join(str(i + 1) for i in p) + "\n" for p in polygons)
     else:
@@ -195,16 +217,27 @@ def concave_prism(folder, suffix):
     return path
 
 
-@pytest.mark.parametrize("suffix, is_folded", [("ply", True), ("obj", False)])
-def test_concavePolygonsThatWereReadAsFansAreNamed(tmp_path, suffix, is_folded):
+def united_with_a_far_box(tmp_path, suffix):
+    """The command line's union of the prism and a box."""
     far = document(box((9, 9, 9), (10, 10, 10)))
     far.save_current_mesh(str(tmp_path / "far.ply"))
     prism = concave_prism(tmp_path, suffix)
     words = ["boolean", prism, tmp_path / "far.ply", "-o", tmp_path / "out", "--only", "union"]
-    done = subprocess.run(
+    return subprocess.run(
         [sys.executable, "-m", "indexboolean", *map(str, words)], capture_output=True, text=True,
         timeout=120,
     )
+
+
+def test_polygonsThatTheReaderOfOffFilesTearsAreRefused(tmp_path):
+    """As the hosts' page says: it joins polygons of more than four corners to wrong vertices."""
+    done = united_with_a_far_box(tmp_path, "off")
+    assert done.returncode == 1 and "is not closed" in done.stderr
+
+
+@pytest.mark.parametrize("suffix, is_folded", [("ply", True), ("obj", False)])
+def test_concavePolygonsThatWereReadAsFansAreNamed(tmp_path, suffix, is_folded):
+    done = united_with_a_far_box(tmp_path, suffix)
     assert done.returncode == 0, done.stderr
     result = json.loads((tmp_path / "out" / "result.json").read_text())
     assert result["union_volume"] == pytest.approx(11)

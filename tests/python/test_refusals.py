@@ -1,6 +1,7 @@
 # SPDX-FileCopyrightText: 2026 The Index Boolean authors
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What a refusal says to do is done, and leads to the right solid: refusal_cases.py has the cases.
+"""What a refusal says to do is done, and leads to the right solid: refusal_cases.py and
+refusals_of_filters.py have the cases.
 
     python tests/python/test_refusals.py    writes the table of docs/refusals.md anew
 """
@@ -12,7 +13,9 @@ from pathlib import Path
 import pymeshlab
 import pytest
 
-from refusal_cases import CASES, run, table
+from refusal_cases import CURVES, SPLIT, run
+from refusals_of_filters import ALL as CASES
+from refusals_of_filters import CLIP, table
 
 PAGE = Path(__file__).resolve().parents[2] / "docs" / "refusals.md"
 MARKS = ("<!-- remedies -->\n", "<!-- /remedies -->\n")
@@ -45,15 +48,15 @@ def test_eachRemedyIsTriedOnTwoLayersAtLeast():
         refusal: {c.layer for c in CASES if c.refusal == refusal} for refusal in refusals
     }
     assert all(len(layers) >= 2 for layers in by_refusal.values())
-    # What a double-sided sheet is told has a second half.
-    assert {refusal for refusal, _ in alone} <= {"is double-sided"}
+    # What a double-sided sheet is told has a second half; a text is told its own mistake.
+    assert {refusal for refusal, _ in alone} <= {"is double-sided", "a text does not read"}
 
 
 def test_aCrackIsNeverSentToCloseHolesNorASheetOfSplitToWordsOfSolids():
     for case in CASES:
         if case.refusal == "is not closed, by cracks":
             assert "meshing_close_holes" not in refused(case)[1]
-        if case.filter != "generate_index_boolean":
+        if case.filter in (SPLIT, CURVES) and case.parameters != CLIP:
             message = refused(case)[1]
             assert not re.search("meshing_close_holes|union|solid|winding_rule", message), message
 

@@ -44,6 +44,18 @@ def load_stl(name):
     return places.astype(np.float64), number.reshape(-1, 3).astype(np.int32)
 
 
+def test_eachReportIsATest():
+    """Right values are in the tests: here, and in those that name the file."""
+    tests = "".join(
+        path.read_text(encoding="utf-8") for path in Path(__file__).parent.glob("*.py")
+    )
+    reports = [path for path in FOLDER.iterdir() if path.suffix in (".npz", ".STL")]
+    assert len(reports) == 15
+    for report in reports:
+        name = report.name if report.suffix == ".STL" else report.stem
+        assert f'"{name}"' in tests, name
+
+
 def tolerance(operands, scalar, largest_move):
     """How far a volume may be off: an ulp over the area, and what repair says that it moved.
 

@@ -6,6 +6,7 @@ import json
 import re
 import subprocess
 import sys
+from pathlib import Path
 
 import numpy as np
 import pymeshlab
@@ -15,7 +16,7 @@ import judges
 import mesh_laws
 from conftest import crossing_bars, document, sphere
 from plain_solids import one_sided
-from refusal_cases import CUBE, cracked, without_faces
+from refusal_cases import CUBE, cracked, flat, without_faces
 from run_boolean import BLOCKS, run_boolean
 
 FIRST = sphere((0.1, 0.2, 0.3), 1.1)
@@ -84,6 +85,14 @@ WRITERS = {
 }
 
 
+def words_of_the_page():
+    """{suffix: what the hosts' page says that MeshLab's writer keeps}."""
+    page = (Path(__file__).resolve().parents[2] / "docs" / "hosts.md").read_text(encoding="utf-8")
+    table = page.split("\n## Files that MeshLab reads and writes\n")[1].split("\n## ")[0]
+    rows = re.findall(r"^\| ([A-Z0-9, ]+) \| (.+) \|$", table, re.M)
+    return {name.lower(): words for names, words in rows for name in names.split(", ")}
+
+
 def kept_by(path, places):
     """How much of the places is left when the file is read."""
     meshes = pymeshlab.MeshSet()
@@ -99,7 +108,9 @@ def kept_by(path, places):
 def test_hostsWritersKeepWhatThePageSays(tmp_path, suffix):
     path = saved(FIRST, tmp_path / f"saved.{suffix}")
     kept = kept_by(path, FIRST[0])
-    expected = WRITERS[suffix]
+    expected, words = WRITERS[suffix], words_of_the_page()[suffix]
+    assert ("every bit" in words, "single" in words) == (
+        expected == "every bit", expected == "single precision")
     assert kept == (expected if expected in ("every bit", "single precision") else "less")
 
 
@@ -111,11 +122,20 @@ def test_hostsWritersKeepWhatThePageSays(tmp_path, suffix):
      "With --self-intersections resolve the layer is taken for"),
     (["split", "--self-intersections", "refuse"], crossing_bars(),
      "With --self-intersections resolve the layer is cut by itself"),
+    (["boolean", "--format", "stl"], (CUBE[0] * 1e60, CUBE[1]),
+     "With another --format than stl results are kept in double precision"),
+    (["distance"], flat([(-1, -1, 1), (3, -1, 1), (3, 3, 1), (-1, 3, 1)]),
+     "With --self-intersections trust distances are measured"),
+    (["evaluate", "a - b"], cracked(CUBE, 1e-9, 1),
+     r"with --weld-distance [\d.e+-]*\d the layer is closed"),
     (["curves", "--weld-distance", "0.3"], FIRST, "Choose a smaller --weld-distance"),
-], ids=["open", "oneSided", "crossing", "crossingInSplit", "tooWide"])
+], ids=["open", "oneSided", "crossing", "crossingInSplit", "beyondFloat", "noInside", "cracked",
+        "tooWide"])
 def test_refusalsHaveTheWordsOfTheCommandLine(tmp_path, words, mesh, sentence):
     files = saved(mesh, tmp_path / "a.ply"), saved(SECOND, tmp_path / "b.ply")
     name, *options = words
+    if name == "evaluate":
+        files = options.pop(), *(f"{path.stem}={path}" for path in files)
     done = command(name, *files, "-o", tmp_path / "out", *options)
     assert done.returncode == 1, done.stderr
     assert re.search(sentence, done.stderr), done.stderr

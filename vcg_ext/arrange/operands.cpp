@@ -73,11 +73,16 @@ StatusCode cornerDefect(const MeshArrays& mesh, std::size_t face, OutputScalar s
 	if (!cornersExist(mesh, face)) {
 		return StatusCode::IndexOutOfRange;
 	}
-	const double most = largestCoordinate(scalar);
 	const Triangle& t = mesh.triangles[face];
-	const bool finite = std::all_of(t.begin(), t.end(),
-	                                [&](VertexId v) { return isWithin(at(mesh.points, v), most); });
-	return finite ? StatusCode::Ok : StatusCode::NotFinite;
+	const auto areWithin = [&](OutputScalar limit) {
+		const double most = largestCoordinate(limit);
+		return std::all_of(t.begin(), t.end(),
+		                   [&](VertexId v) { return isWithin(at(mesh.points, v), most); });
+	};
+	if (!areWithin(OutputScalar::Double)) {
+		return StatusCode::NotFinite;
+	}
+	return areWithin(scalar) ? StatusCode::Ok : StatusCode::BeyondFloat;
 }
 
 // Lists the faces of one operand that have the given defect.
@@ -97,6 +102,12 @@ Status refuseCorners(const Arrangement& arrangement, StatusCode code) {
 	}
 	status.count = status.faces.size();
 	return status;
+}
+
+// Of corners some of which the output scalar cannot hold, if a face uses them.
+Status refusePlaces(const Arrangement& arrangement) {
+	return inOrder([&] { return refuseCorners(arrangement, StatusCode::NotFinite); },
+	               [&] { return refuseCorners(arrangement, StatusCode::BeyondFloat); });
 }
 
 bool hasEqualCorners(const Triangle& t) { return t[0] == t[1] || t[1] == t[2] || t[2] == t[0]; }
@@ -139,7 +150,7 @@ Status checkCorners(const Arrangement& arrangement, Monitor& monitor, CornerWeld
 	if (status.ok() && !facts.allExist) {
 		status = refuseCorners(arrangement, StatusCode::IndexOutOfRange);
 	}
-	return status.ok() && !inRange ? refuseCorners(arrangement, StatusCode::NotFinite) : status;
+	return status.ok() && !inRange ? refusePlaces(arrangement) : status;
 }
 
 // Faces with two equal corners go: their edges cancel, so closedness stays as it is.
@@ -553,7 +564,7 @@ Status checkPlaces(const Arrangement& arrangement, Monitor& monitor) {
 		    return parallelFor(mesh.triangles.size(), kGrain, arrangement.options.threads, monitor,
 		                       look);
 	    },
-	    [&] { return areFine ? Status{} : refuseCorners(arrangement, StatusCode::NotFinite); });
+	    [&] { return areFine ? Status{} : refusePlaces(arrangement); });
 }
 
 // Checks the arrays of a soup, welds each operand's vertices and drops faces with equal corners.

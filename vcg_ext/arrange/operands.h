@@ -15,15 +15,16 @@ namespace index_boolean {
 
 // Checks and prepares arrangement.mesh in place; fills faceGiven, closed, insideOut, duplicates
 // and volume.
-// \return Ok, Cancelled, OutOfMemory, EmptyOperand, NotFinite, IndexOutOfRange, TooLarge,
-//         NotClosed, NotOriented, NoVolume, SelfIntersecting
+// \return Ok, Cancelled, OutOfMemory, EmptyOperand, NotFinite, BeyondFloat, IndexOutOfRange,
+//         TooLarge, NotClosed, NotOriented, NoVolume, SelfIntersecting
 // Complexity: O(n); the exact volume sign, needed only next to zero, is O(n) big numbers.
 Status prepareOperands(Arrangement& arrangement, Monitor& monitor);
 
 // The same for surfaces of any kind, which may be open: checked, welded, free of degenerate faces,
 // each face once. None is turned. Fills faceGiven, closed, duplicates and, of closed operands,
 // insideOut and volume.
-// \return Ok, Cancelled, OutOfMemory, EmptyOperand, NotFinite, IndexOutOfRange, TooLarge
+// \return Ok, Cancelled, OutOfMemory, EmptyOperand, NotFinite, BeyondFloat, IndexOutOfRange,
+//         TooLarge
 // Complexity: O(n), in parallel.
 Status prepareSurfaces(Arrangement& arrangement, Monitor& monitor);
 
@@ -33,7 +34,8 @@ Status prepareSurfaces(Arrangement& arrangement, Monitor& monitor);
 // faces without which the operand is closed. Fills faceGiven, isSoup, closed (by the input's
 // edges), nonManifold: where what is at a vertex is not one umbrella of one operand; and volume:
 // what the faces enclose, as they are turned, which tells nothing where the operand is open.
-// \return Ok, Cancelled, OutOfMemory, EmptyOperand, NotFinite, IndexOutOfRange, TooLarge
+// \return Ok, Cancelled, OutOfMemory, EmptyOperand, NotFinite, BeyondFloat, IndexOutOfRange,
+//         TooLarge
 // Complexity: O(n) as expected.
 Status prepareSoup(Arrangement& arrangement, Monitor& monitor);
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "vcg_ext/arrange/refined_closed.h"
 
+#include "vcg_ext/arrange/duplicate_faces.h"
 #include "vcg_ext/mesh/boundary_checksum.h"
 #include "vcg_ext/mesh/unmatched_edges.h"
 
@@ -91,6 +92,18 @@ Status refuseOpen(const Arrangement& arrangement, OperandId operand) {
 	}
 	std::sort(status.faces.begin(), status.faces.end());
 	status.faces.erase(std::unique(status.faces.begin(), status.faces.end()), status.faces.end());
+	return status;
+}
+
+Status refuseWithoutInside(const Arrangement& arrangement, OperandId operand) {
+	const bool isOdd = arrangement.options.windingRule == WindingRule::Odd;
+	const std::size_t pairs = cancellingPairs(arrangement.mesh, operand, isOdd);
+	Status status;
+	if (pairs == 0 || !isOdd) {
+		status.code = pairs == 0 ? StatusCode::NoVolume : StatusCode::EmptyOperand;
+		status.operand = numberOf(operand);
+		status.count = pairs;
+	}
 	return status;
 }
 

@@ -22,4 +22,10 @@ Status findRefinedClosed(Arrangement& arrangement, Monitor& monitor);
 // the faces at these edges as given. Complexity: O(n log n) for its n triangles.
 Status refuseOpen(const Arrangement& arrangement, OperandId operand);
 
+// Says why an operand encloses nothing. All of its faces may cancel: it is a double-sided model
+// then, but under the rule Odd a set like any other.
+// \pre it is closed, and no place is inside it by its winding rule \return NoVolume; EmptyOperand
+// with the number of pairs that cancel; Ok. Complexity: O(n) for its n faces.
+Status refuseWithoutInside(const Arrangement& arrangement, OperandId operand);
+
 }  // namespace index_boolean

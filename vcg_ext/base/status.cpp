@@ -53,6 +53,9 @@ constexpr Row kRows[] = {
      "has vertices that chains of distances below the weld distance link, but that are more than "
      "twice it apart",
      "group of vertices is too wide", "groups of vertices are too wide"},
+    {StatusCode::BeyondFloat, "beyond float",
+     "has coordinates beyond 3.4e38, where single precision ends", "face has a corner there",
+     "faces have a corner there"},
 };
 
 constexpr bool rowsAreInOrder() {

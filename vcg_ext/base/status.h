@@ -19,7 +19,7 @@ enum class StatusCode : std::uint8_t {
 	Cancelled,         // the monitor's callback answered false
 	OutOfMemory,       // an allocation failed; nothing was changed
 	EmptyOperand,      // an operand has no face (left)
-	NotFinite,         // faces with a coordinate that is NaN or, as output, infinite
+	NotFinite,         // faces with a coordinate that is NaN or infinite
 	IndexOutOfRange,   // faces that name a vertex which does not exist
 	TooLarge,          // more than 2^31 - 1 vertices or faces in all
 	NotClosed,         // edges with one face only (or an odd number of faces)
@@ -29,8 +29,9 @@ enum class StatusCode : std::uint8_t {
 	SelfIntersecting,  // faces of one operand meet wrongly, or winding numbers contradict the curve
 	InternalError,     // a check of our own failed; a defect of this library, never an answer
 	WeldTooWide,       // vertices linked by distances below weldDistance are too far apart
+	BeyondFloat,       // faces with a coordinate that a float as output cannot hold
 };
-constexpr int kStatusCodeCount = 14;
+constexpr int kStatusCodeCount = 15;
 
 // What happened. `operand` is 0 or 1, or -1 where both or none are meant. `faces` are indices into
 // that operand's triangles as given to the core. `count` is the number of defects (edges for

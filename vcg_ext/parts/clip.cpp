@@ -38,9 +38,7 @@ Status refuseSolid(const Arrangement& arrangement, const SubBlocks& blocks, Oper
 	    std::none_of(blocks.all.begin(), blocks.all.end(), [&](const SubBlock& block) {
 		    return isInside(arrangement.options.windingRule, block.windings[operand]);
 	    });
-	Status status = statusOf(isEmpty ? StatusCode::NoVolume : StatusCode::Ok);
-	status.operand = numberOf(operand);
-	return status;
+	return isEmpty ? refuseWithoutInside(arrangement, operand) : Status{};
 }
 
 }  // namespace index_boolean

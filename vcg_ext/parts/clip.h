@@ -27,9 +27,9 @@ Status collectClip(const Arrangement& arrangement, const SubSurfaces& surfaces,
                    const SubBlocks& blocks, const Clip& clip, Monitor& monitor, SplitMesh& out);
 
 // Ok, or why an operand cannot clip others.
-// \return NotClosed or NotOriented with the faces at the edges in question (of a soup), or NoVolume
-//         of what has nothing inside, with the operand. Complexity: O(c) for c blocks of Ok, else
-//         O(n log n).
+// \return NotClosed or NotOriented with the faces at the edges in question (of a soup), or, of what
+//         has nothing inside, as refuseWithoutInside, with the operand. Complexity: O(c) for c
+//         blocks of Ok, else O(n log n).
 Status refuseSolid(const Arrangement& arrangement, const SubBlocks& blocks, OperandId operand);
 
 }  // namespace index_boolean

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "vcg_ext/solids/operand_refusals.h"
 
-#include "vcg_ext/arrange/duplicate_faces.h"
 #include "vcg_ext/arrange/refined_closed.h"
 #include "vcg_ext/parts/sub_blocks.h"
 
@@ -30,25 +29,6 @@ Status refuseWithoutFaces(const MeshArrays& input) {
 		return status;
 	});
 }
-
-namespace {
-
-// Of an operand that encloses nothing. All of its faces may cancel: it is a double-sided model
-// then, but under the rule Odd a set like any other.
-Status refuseWithoutInside(const Arrangement& arrangement, OperandId operand) {
-	const MeshArrays& mesh = arrangement.mesh;
-	const bool isOdd = arrangement.options.windingRule == WindingRule::Odd;
-	const std::size_t pairs = cancellingPairs(mesh, operand, isOdd);
-	Status status;
-	if (pairs == 0 || !isOdd) {
-		status.code = pairs == 0 ? StatusCode::NoVolume : StatusCode::EmptyOperand;
-		status.operand = numberOf(operand);
-		status.count = pairs;
-	}
-	return status;
-}
-
-}  // namespace
 
 Status refuseUnlessSolids(const Arrangement& arrangement) {
 	const WindingRule rule = arrangement.options.windingRule;
