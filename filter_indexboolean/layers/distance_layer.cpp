@@ -48,7 +48,8 @@ Scalarm qualityOf(const DistanceSample& sample, const DistanceWriting& writing) 
 	constexpr double kMost = std::numeric_limits<Scalarm>::max();
 	double quality = sample.distance;
 	if (std::isnan(quality)) {
-		quality = sample.sign * (writing.negate ? -writing.maximum : writing.maximum);
+		const double most = writing.negate ? -writing.maximum : writing.maximum;
+		quality = sample.sign == 0 ? 0 : sample.sign * most;  // no number times an infinite one
 	}
 	return static_cast<Scalarm>(std::clamp(quality, -kMost, kMost));
 }

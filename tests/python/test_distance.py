@@ -19,6 +19,7 @@ import vtk
 
 import indexboolean
 from conftest import box, document, joined, sphere
+from make_samples import octahedral_sphere
 from open_shapes import square
 from sample_catalogue import FOLDER, sample
 from test_filter import log_of, set_matrix, translation
@@ -83,6 +84,54 @@ def test_arraysOfSamplesAgreeWithLibigl(name):
         for point, three in zip(points[~same][:200], corners[:200])
     ]
     assert np.allclose(np.ravel(again), np.ravel(squared[~same][:200]), rtol=1e-9, atol=1e-15)
+
+
+def to_segment(points, start, end):
+    """Of pairs of points and segments, row by row, in the type of the arrays."""
+    edge, offset = end - start, points - start
+    along = np.clip((edge * offset).sum(axis=1) / (edge * edge).sum(axis=1), 0, 1)
+    return np.sqrt(((offset - along[:, None] * edge) ** 2).sum(axis=1))
+
+
+def to_faces(points, corners):
+    a, b, c = np.moveaxis(corners, 1, 0)
+    normal = np.cross(b - a, c - a)
+    is_above = np.all([
+        (normal * np.cross(end - start, points - start)).sum(axis=1) >= 0
+        for start, end in ((a, b), (b, c), (c, a))
+    ], axis=0)
+    height = np.abs((normal * (points - a)).sum(axis=1)) / np.sqrt((normal**2).sum(axis=1))
+    edges = np.min([to_segment(points, *ends) for ends in ((a, b), (b, c), (c, a))], axis=0)
+    return np.where(is_above, height, edges)
+
+
+def by_all_faces(vertices, faces, points, claimed):
+    """The distances from all faces, in long double. A face is passed over where a ball around it
+    is farther than is claimed, which shows that it is not nearer."""
+    corners = vertices[faces]
+    middle = corners.mean(axis=1)
+    radius = np.linalg.norm(corners - middle[:, None], axis=2).max(axis=1)
+    least = np.full(len(points), np.inf, dtype=np.longdouble)
+    for begin in range(0, len(points), 200):
+        some = points[begin : begin + 200]
+        reach = claimed[begin : begin + 200, None] + radius + 1e-9
+        squares = (some**2).sum(axis=1)[:, None] + (middle**2).sum(axis=1)
+        squared = squares - 2 * some @ middle.T
+        which, face = np.nonzero(squared <= reach**2 + 1e-9)
+        found = to_faces(some[which].astype(np.longdouble), corners[face].astype(np.longdouble))
+        np.minimum.at(least, begin + which, found)
+    return least
+
+
+@pytest.mark.parametrize("count", [1000, pytest.param(10_000, marks=pytest.mark.long)])
+@pytest.mark.parametrize("name", CLOSED)
+def test_arraysOfSamplesAreWithinTheBoundOfAllFacesInLongDouble(name, count):
+    vertices, faces = np.asarray(sample(name)[0], dtype=np.float64), np.asarray(sample(name)[1])
+    points = points_around((vertices, faces), count, seed=2)
+    unsigned = indexboolean.SignedDistance((vertices, faces), signed=False)
+    distance, _, _ = unsigned(points)
+    truth = by_all_faces(vertices, faces, points, distance)
+    assert np.all(np.abs(distance - truth) <= unsigned.error_bound(distance))
 
 
 def test_twoSolidsThatOverlapAreOne():
@@ -187,6 +236,58 @@ def test_signsWithinATrillionthOfTheSurfaceAreExact(count):
     found = indexboolean.SignedDistance((vertices.astype(float), faces)).sign(points)
     assert np.array_equal(found, sides)
     assert min((sides == -1).mean(), (sides == 1).mean()) > 0.1
+
+
+# --- many points and faces ------------------------------------------------------------------------
+
+ASKING_FOR_MANY = """
+import sys
+import numpy as np
+import indexboolean
+
+def most_memory():
+    status = dict(line.split(":", 1) for line in open("/proc/self/status"))
+    return int(status["VmHWM"].split()[0]) * 1024
+
+vertices, faces, points = (np.load(f"{sys.argv[1]}/{name}.npy") for name in "VFP")
+indexboolean.SignedDistance(([(0, 0, 0), (1, 0, 0), (0, 1, 0)], [(0, 1, 2)]))  # loads the library
+before = most_memory()
+signed_distance = indexboolean.SignedDistance((vertices, faces))
+built = most_memory()
+signed_distance(points[: len(points) // 2])
+half = most_memory()
+distance, _, _ = signed_distance(points)
+np.save(f"{sys.argv[1]}/D.npy", distance)
+print(built - before, half - built, most_memory() - half)
+"""
+
+
+@pytest.mark.long
+@pytest.mark.skipif(sys.platform != "linux", reason="reads /proc")
+def test_aMillionFacesAndManyMillionPointsInBoundedMemory(tmp_path):
+    """Building takes bytes in proportion to faces, and asking those of the answer, besides what is
+    kept for a portion of the points."""
+    vertices, faces = octahedral_sphere(354)
+    assert len(faces) > 1_000_000
+    rng = np.random.default_rng(3)
+    points = rng.normal(size=(4_000_000, 3))
+    points *= rng.uniform(0.8, 1.2, len(points))[:, None] / np.linalg.norm(points, axis=1)[:, None]
+    for name, array in zip("VFP", (vertices, faces, points)):
+        np.save(tmp_path / f"{name}.npy", array)
+    done = subprocess.run([sys.executable, "-c", ASKING_FOR_MANY, tmp_path], capture_output=True,
+                          text=True, check=True)
+    built, half, rest = map(int, done.stdout.split())
+    answer = 8 + 24 + 8 + 24 + 1  # bytes a point: all arrays that there are
+    portion = 2**20 * 200
+    print(f"{built / len(faces):.0f} bytes a face, {rest / 2_000_000:.0f} a point")
+    assert 0 < built < 400 * len(faces), built
+    assert half < answer * 2_000_000 + portion, half
+    assert rest < answer * 2_000_000 + portion // 4, rest
+    truth = np.linalg.norm(points, axis=1) - 1
+    distance = np.load(tmp_path / "D.npy")
+    assert np.abs(distance - truth).max() < 2e-5  # chords are as much below the sphere
+    clear = np.abs(truth) > 2e-5
+    assert np.array_equal(distance[clear] < 0, truth[clear] < 0)
 
 
 # --- VTK's filter ---------------------------------------------------------------------------------
@@ -330,6 +431,41 @@ def test_aSecondRunReplacesTheAttributes():
     mesh_set.compute_index_boolean_distance()
     mesh_set.compute_index_boolean_distance(first_mesh=0, second_mesh=2)
     assert mesh_set.mesh(0).vertex_custom_scalar_attribute_array("distance").max() == 6
+
+
+def test_whatIsNoPointOfALayerIsGreyAndNotCounted():
+    points = np.array([(0.5, 0.5, 0.5), (np.nan, 0, 0), (0, np.inf, 0), (2, 0.5, 0.5)])
+    mesh_set = pymeshlab.MeshSet()
+    mesh_set.add_mesh(pymeshlab.Mesh(points), "cloud")
+    mesh_set.add_mesh(pymeshlab.Mesh(*UNIT), "box")
+    result = mesh_set.compute_index_boolean_distance(closest=True)
+    cloud = mesh_set.mesh(0)
+    distance = cloud.vertex_custom_scalar_attribute_array("distance")
+    assert np.array_equal(distance, [-0.5, np.nan, np.nan, 1], equal_nan=True)
+    assert np.array_equal(cloud.vertex_scalar_array(), [-0.5, 0, 0, 1])
+    assert np.array_equal(cloud.vertex_custom_scalar_attribute_array("closest_face") < 0,
+                          np.isnan(distance))
+    assert np.ptp(cloud.vertex_color_matrix()[1:3, :3], axis=1).max() == 0
+    assert (result["min_first"], result["max_first"], result["beyond_first"]) == (-0.5, 1, 0)
+
+
+def test_emptyLayers():
+    mesh_set = pymeshlab.MeshSet()
+    mesh_set.add_mesh(pymeshlab.Mesh(np.zeros((1, 3))), "empty")
+    mesh_set.set_selection_all()
+    mesh_set.meshing_remove_selected_vertices()
+    assert mesh_set.mesh(0).vertex_number() == 0
+    mesh_set.add_mesh(pymeshlab.Mesh(*UNIT), "box")
+    result = mesh_set.compute_index_boolean_distance()
+    assert np.isnan(result["min_first"]) and result["beyond_first"] == 0
+    assert "hausdorff" not in result and "min_second" not in result
+    result = mesh_set.compute_index_boolean_implicit(points_mesh=0, reference_mesh=1)
+    assert np.isnan(result["max"]) and result["inside"] == 0
+    for name, layers in (("distance", ("first_mesh", "second_mesh")),
+                         ("implicit", ("points_mesh", "reference_mesh"))):
+        compute = getattr(mesh_set, f"compute_index_boolean_{name}")
+        with pytest.raises(pymeshlab.PyMeshLabException, match='"empty".*no face'):
+            compute(**dict(zip(layers, (1, 0))))
 
 
 @pytest.mark.parametrize("parameters, sentence", [

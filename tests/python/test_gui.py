@@ -51,7 +51,7 @@ CURVES = "bumpy_sphere curves ribbed_torus"
 
 
 class Filter(NamedTuple):
-    """How a user finds a filter, and the layers that it adds."""
+    """How a user finds a filter, and the layers that it adds, if any."""
 
     words: str  # that are searched for
     title: str  # of its dialog, how it begins
@@ -76,6 +76,14 @@ FILTERS = {
     ),
 }
 BOOLEAN, SPLIT, CURVE, EXPRESSION, RESOLVE = FILTERS.values()
+MEASURES = {
+    "compute_index_boolean_distance": Filter(
+        "index boolean signed distance", "Index Boolean: Signed Distance", ()
+    ),
+    "compute_index_boolean_implicit": Filter(
+        "index boolean implicit", "Index Boolean: Implicit Function", ()
+    ),
+}
 
 
 def picture(screen, name):
@@ -180,8 +188,8 @@ def face_colours(path):
 
 
 def test_everyFilterIsTriedInTheWindow():
-    names = [name for name in pymeshlab.filter_list() if name.startswith("generate_index_boolean")]
-    assert sorted(names) == sorted(FILTERS)
+    names = [name for name in pymeshlab.filter_list() if "_index_boolean" in name]
+    assert sorted(names) == sorted({**FILTERS, **MEASURES})
 
 
 def test_window2025AddsTheFourBlocks(tmp_path):
@@ -248,6 +256,26 @@ def test_window2025ResolvesTheCurrentLayer(tmp_path):
     assert len(faces) == len(samples()[1][1])  # it does not meet itself
 
 
+@pytest.mark.parametrize("name", MEASURES)
+def test_window2025MeasuresOnTheLayersThemselves(tmp_path, name):
+    with both_samples_opened(tmp_path) as (meshlab, folder):
+        kind = name.removeprefix("compute_index_boolean_")
+        apply(meshlab, MEASURES[name], f"gui_{kind}_dialog.png")
+        picture(meshlab.screen, f"gui_{kind}_result.png")
+        meshlab.choose_layer(0)
+        meshlab.save_current_layer("/srv/test/measured.ply")
+        meshlab.save_project_and_all_layers("/srv/test/result.mlp")
+    expect_project(folder, MEASURES[name])  # no layer is new, and places are as they were
+    in_double = document(*samples())
+    getattr(in_double, name)()
+    meshes = pymeshlab.MeshSet()
+    meshes.load_new_mesh(str(folder / "measured.ply"))
+    assert np.allclose(
+        meshes.current_mesh().vertex_scalar_array(), in_double.mesh(0).vertex_scalar_array(),
+        rtol=0, atol=1e-6,
+    )
+
+
 def test_window2025SaysWhyItRefusesALayerAndGoesOn(tmp_path):
     folder = fresh_folder(TREE / "srv/test")
     write_with_a_hole(folder / "open.ply")
@@ -267,7 +295,7 @@ def test_window2025SaysWhyItRefusesALayerAndGoesOn(tmp_path):
 
 
 @pytest.mark.skipif(not meshlabserver.is_debian_12(), reason="only Debian 12 has MeshLab 2020.09")
-@pytest.mark.parametrize("name", FILTERS)
+@pytest.mark.parametrize("name", [*FILTERS, *MEASURES])
 def test_window2020FindsAndAppliesTheSameFilter(tmp_path, name):
     folder = fresh_folder(tmp_path / "test")
     program = meshlabserver.install(tmp_path / "prefix").with_name("meshlab")
@@ -276,6 +304,6 @@ def test_window2020FindsAndAppliesTheSameFilter(tmp_path, name):
         screen, "2020.09", command, folder, tmp_path / "log"
     ) as meshlab:
         open_both(meshlab)
-        kind = name.removeprefix("generate_index_boolean")
-        apply(meshlab, FILTERS[name], f"gui_2020{kind}_dialog.png")
+        kind = name.removeprefix("generate_index_boolean").replace("compute_index_boolean", "")
+        apply(meshlab, {**FILTERS, **MEASURES}[name], f"gui_2020{kind}_dialog.png")
         picture(screen, f"gui_2020{kind}_result.png")

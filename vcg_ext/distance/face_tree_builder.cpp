@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // From the root down: a set of faces is parted where the surfaces of the two boxes, times how many
-// blocks are in them, are least. The upper nodes are made on one thread, what hangs below them on
-// all.
+// blocks are in them, are least. The upper nodes are made level by level, what hangs below them is
+// grown by one thread each.
 #include "vcg_ext/distance/face_tree_builder.h"
 
 #include "vcg_ext/base/parallel.h"
@@ -12,7 +12,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
+#include <utility>
+#include <vector>
 
 namespace index_boolean {
 
@@ -40,20 +41,28 @@ struct FloatBox {
 	float twiceTheMiddle(std::size_t axis) const { return lo[axis] + hi[axis]; }
 };
 
-// Of the faces order[begin .. end).
+// Items [begin .. end) of the builder's, and the box around them.
 struct FaceSet {
 	std::size_t begin, end, depth;
+	FloatBox box;
 
 	std::size_t count() const { return end - begin; }
 };
 
-// A part of the tree in numberings of its own, and what it holds of the whole.
+// What a node's children are made of.
+struct Parts {
+	std::array<FaceSet, kLanes> part;
+	std::size_t count = 1;
+};
+
+using FacesOfBlock = std::array<std::uint32_t, kLanes>;
+
+// A part of the tree in numberings of its own.
 struct Subtree {
 	FaceSet faces{};
 	std::vector<FaceTreeNode> nodes;
-	std::vector<FaceBlock> blocks;
+	std::vector<FacesOfBlock> blocks;  // the first face of each again in lanes that have none
 	std::uint32_t root = kNone;
-	double longestSquared = 0;
 };
 
 class Builder {
@@ -64,35 +73,44 @@ public:
 	Status run(BuiltTree& out);
 
 private:
+	// A face, together with what it is sorted by, as sets are gone through from end to end.
+	struct Item {
+		FloatBox box;
+		std::uint32_t face;
+		std::uint32_t unused;
+	};
+
 	Status prepare();
-	FloatBox boxOf(const FaceSet& faces) const;
-	std::size_t part(const FaceSet& faces);
-	std::size_t partByCost(const FaceSet& faces, std::size_t axis, float low, float high);
-	std::size_t partInHalves(const FaceSet& faces, std::size_t axis);
-	std::vector<FaceSet> partInFour(const FaceSet& faces);
-	template <class Descend>
-	std::uint32_t addNode(const FaceSet& faces, std::vector<FaceTreeNode>& nodes,
-	                      Descend&& descend);
+	FloatBox boxOf(std::size_t begin, std::size_t end) const;
+	void part(FaceSet& faces, FaceSet& second);
+	bool partByCost(FaceSet& faces, FaceSet& second, std::size_t axis, const FloatBox& middles);
+	void partInHalves(FaceSet& faces, FaceSet& second, std::size_t axis);
+	Parts partInFour(const FaceSet& faces);
 	std::uint32_t grow(const FaceSet& faces, Subtree& tree);
-	std::uint32_t growTop(const FaceSet& faces, std::size_t most);
 	std::uint32_t addBlock(const FaceSet& faces, Subtree& tree) const;
-	void fillLane(std::uint32_t face, std::size_t lane, FaceBlock& block, Subtree& tree) const;
-	void join(BuiltTree& out);
+	Status growTop(std::size_t most);
+	std::uint32_t addToTop(const FaceSet& faces, std::size_t most,
+	                       std::vector<std::pair<FaceSet, std::uint32_t>>& waiting);
+	void join(BuiltTree& out, std::vector<FacesOfBlock>& faces);
+	Status fillBlocks(const std::vector<FacesOfBlock>& faces, BuiltTree& out) const;
+	double fillLane(std::uint32_t face, std::size_t lane, FaceBlock& block) const;
 
 	const Points& points_;
 	const IndexTriangles& triangles_;
 	int threads_;
 	Monitor& monitor_;
 	TreeFrame frame_;
-	HugeVector<FloatBox> boxes_;          // per face
-	HugeVector<std::uint32_t> order_;     // faces
+	HugeVector<Item> items_;
 	std::vector<FaceTreeNode> topNodes_;  // whose children below the bit of blocks are nodes; and
 	                                      // with it, subtrees
 	std::vector<Subtree> subtrees_;
 };
 
-// The float box around a face, rounded outwards: a step of a float is more than what subtracting
-// the centre rounds off.
+// A float below and one above: at least a step away, which is more than what subtracting the centre
+// rounds off.
+float below(float f) { return f - (std::fabs(f) * 0x1p-23F + std::numeric_limits<float>::min()); }
+float above(float f) { return f + (std::fabs(f) * 0x1p-23F + std::numeric_limits<float>::min()); }
+
 Status Builder::prepare() {
 	BoundingBox box{};
 	Status status = findBoundingBox(points_.data(), points_.size(), threads_, monitor_, box);
@@ -102,184 +120,221 @@ Status Builder::prepare() {
 	frame_.scale = unitScale(box);
 	frame_.centre = frame_.scaled(box.centre());
 	frame_.halfSize = box.halfSize() * frame_.scale;
-	boxes_.resizeForOverwrite(triangles_.size());
-	order_.resizeForOverwrite(triangles_.size());
-	const auto setBoxes = [this](std::size_t begin, std::size_t end) {
+	items_.resizeForOverwrite(triangles_.size());
+	const auto setItems = [this](std::size_t begin, std::size_t end) {
 		for (std::size_t face = begin; face < end; ++face) {
 			FloatBox around;
 			for (const std::uint32_t corner : triangles_[face]) {
 				const Point place = minus(frame_.scaled(points_[corner]), frame_.centre);
 				FloatBox at;
 				for (std::size_t k = 0; k < 3; ++k) {
-					at.lo[k] = std::nextafter(static_cast<float>(place[k]), -kInfinity);
-					at.hi[k] = std::nextafter(static_cast<float>(place[k]), kInfinity);
+					at.lo[k] = at.hi[k] = static_cast<float>(place[k]);
 				}
 				around.add(at);
 			}
-			boxes_[face] = around;
-			order_[face] = static_cast<std::uint32_t>(face);
+			for (std::size_t k = 0; k < 3; ++k) {
+				around.lo[k] = below(around.lo[k]);
+				around.hi[k] = above(around.hi[k]);
+			}
+			items_[face] = {around, static_cast<std::uint32_t>(face), 0};
 		}
 	};
-	return parallelFor(triangles_.size(), kGrain, threads_, monitor_, setBoxes);
+	return parallelFor(triangles_.size(), kGrain, threads_, monitor_, setItems);
 }
 
-FloatBox Builder::boxOf(const FaceSet& faces) const {
+FloatBox Builder::boxOf(std::size_t begin, std::size_t end) const {
 	FloatBox box;
-	for (std::size_t i = faces.begin; i < faces.end; ++i) {
-		box.add(boxes_[order_[i]]);
+	for (std::size_t i = begin; i < end; ++i) {
+		box.add(items_[i].box);
 	}
 	return box;
 }
 
-// Parts a set in two. \return where the second one begins, neither is empty
-std::size_t Builder::part(const FaceSet& faces) {
-	std::array<float, 3> low{kInfinity, kInfinity, kInfinity};
-	std::array<float, 3> high{-kInfinity, -kInfinity, -kInfinity};
+// Parts a set in two, neither of which is empty. What is left of it is the first one.
+void Builder::part(FaceSet& faces, FaceSet& second) {
+	FloatBox middles;  // twice
 	for (std::size_t i = faces.begin; i < faces.end; ++i) {
+		FloatBox middle;
 		for (std::size_t k = 0; k < 3; ++k) {
-			const float middle = boxes_[order_[i]].twiceTheMiddle(k);
-			low[k] = std::min(low[k], middle);
-			high[k] = std::max(high[k], middle);
+			middle.lo[k] = middle.hi[k] = items_[i].box.twiceTheMiddle(k);
 		}
+		middles.add(middle);
 	}
+	const auto widthAlong = [&](std::size_t k) { return middles.hi[k] - middles.lo[k]; };
 	std::size_t axis = 0;
 	for (std::size_t k = 1; k < 3; ++k) {
-		axis = high[k] - low[k] > high[axis] - low[axis] ? k : axis;
+		axis = widthAlong(k) > widthAlong(axis) ? k : axis;
 	}
-	if (faces.count() <= kFewFaces || faces.depth >= kDepthOfHalves || !(high[axis] > low[axis])) {
-		return partInHalves(faces, axis);
+	second.end = faces.end;
+	second.depth = faces.depth;
+	if (faces.count() <= kFewFaces || faces.depth >= kDepthOfHalves || !(widthAlong(axis) > 0) ||
+	    !partByCost(faces, second, axis, middles)) {
+		partInHalves(faces, second, axis);
 	}
-	return partByCost(faces, axis, low[axis], high[axis]);
 }
 
 // Halves by the middles of boxes; the first one fills whole blocks.
-std::size_t Builder::partInHalves(const FaceSet& faces, std::size_t axis) {
+void Builder::partInHalves(FaceSet& faces, FaceSet& second, std::size_t axis) {
 	const std::size_t half = (faces.count() / 2 + kLanes - 1) / kLanes * kLanes;
 	const std::size_t middle = faces.begin + std::min(half, faces.count() - 1);
-	const auto at = [this](std::size_t i) {
-		return order_.begin() + static_cast<std::ptrdiff_t>(i);
-	};
-	std::nth_element(at(faces.begin), at(middle), at(faces.end),
-	                 [this, axis](std::uint32_t a, std::uint32_t b) {
-		                 return boxes_[a].twiceTheMiddle(axis) < boxes_[b].twiceTheMiddle(axis);
+	std::nth_element(items_.begin() + faces.begin, items_.begin() + middle,
+	                 items_.begin() + faces.end, [axis](const Item& a, const Item& b) {
+		                 return a.box.twiceTheMiddle(axis) < b.box.twiceTheMiddle(axis);
 	                 });
-	return middle;
+	second.begin = faces.end = middle;
+	faces.box = boxOf(faces.begin, middle);
+	second.box = boxOf(middle, second.end);
 }
 
-std::size_t Builder::partByCost(const FaceSet& faces, std::size_t axis, float low, float high) {
+// \return false, and nothing is done, if no division leaves something on both sides
+bool Builder::partByCost(FaceSet& faces, FaceSet& second, std::size_t axis,
+                         const FloatBox& middles) {
 	std::array<FloatBox, kBins> boxes;
 	std::array<std::size_t, kBins> counts{};
-	const float toBin = static_cast<float>(kBins) / (high - low);
-	const auto binOf = [&](std::uint32_t face) {
-		const float bin = (boxes_[face].twiceTheMiddle(axis) - low) * toBin;
+	const float low = middles.lo[axis];
+	const float toBin = static_cast<float>(kBins) / (middles.hi[axis] - low);
+	const auto binOf = [&](const Item& item) {
+		const float bin = (item.box.twiceTheMiddle(axis) - low) * toBin;
 		return bin < static_cast<float>(kBins - 1) ? static_cast<std::size_t>(bin) : kBins - 1;
 	};
 	for (std::size_t i = faces.begin; i < faces.end; ++i) {
-		const std::size_t bin = binOf(order_[i]);
-		boxes[bin].add(boxes_[order_[i]]);
+		const std::size_t bin = binOf(items_[i]);
+		boxes[bin].add(items_[i].box);
 		++counts[bin];
 	}
 	const auto costOf = [](const FloatBox& box, std::size_t count) {
 		return count == 0 ? 0 : box.halfSurface() * static_cast<double>((count + 3) / kLanes);
 	};
-	std::array<double, kBins> costBehind{};  // of the bins from this one on
+	std::array<FloatBox, kBins> behind;  // of the bins from this one on
 	FloatBox box;
-	std::size_t count = 0;
 	for (std::size_t bin = kBins - 1; bin > 0; --bin) {
 		box.add(boxes[bin]);
-		count += counts[bin];
-		costBehind[bin] = costOf(box, count);
+		behind[bin] = box;
 	}
 	box = {};
-	count = 0;
-	std::size_t best = 0;
+	std::size_t count = 0, best = 0;
 	double least = std::numeric_limits<double>::infinity();
 	for (std::size_t bin = 1; bin < kBins; ++bin) {
 		box.add(boxes[bin - 1]);
 		count += counts[bin - 1];
-		const double cost = costOf(box, count) + costBehind[bin];
+		const double cost = costOf(box, count) + costOf(behind[bin], faces.count() - count);
 		if (count > 0 && count < faces.count() && cost < least) {
 			least = cost;
 			best = bin;
+			faces.box = box;
 		}
 	}
-	if (best == 0) {  // all are in one bin
-		return partInHalves(faces, axis);
+	if (best == 0) {
+		return false;
 	}
-	const auto at = [this](std::size_t i) {
-		return order_.begin() + static_cast<std::ptrdiff_t>(i);
-	};
-	const auto second = std::partition(at(faces.begin), at(faces.end),
-	                                   [&](std::uint32_t face) { return binOf(face) < best; });
-	return static_cast<std::size_t>(second - order_.begin());
+	second.box = behind[best];
+	const auto middle = std::partition(items_.begin() + faces.begin, items_.begin() + faces.end,
+	                                   [&](const Item& item) { return binOf(item) < best; });
+	second.begin = faces.end = static_cast<std::size_t>(middle - items_.begin());
+	return true;
 }
 
 // Up to four parts, of which those with more than a block's faces are parted first.
-std::vector<FaceSet> Builder::partInFour(const FaceSet& faces) {
-	std::vector<FaceSet> parts{{faces.begin, faces.end, faces.depth + 1}};
-	while (parts.size() < kLanes) {
-		const auto largest =
-		    std::max_element(parts.begin(), parts.end(), [](const FaceSet& a, const FaceSet& b) {
-			    return a.count() < b.count();
-		    });
+Parts Builder::partInFour(const FaceSet& faces) {
+	Parts parts;
+	parts.part[0] = faces;
+	++parts.part[0].depth;
+	while (parts.count < kLanes) {
+		const auto largest = std::max_element(
+		    parts.part.begin(), parts.part.begin() + parts.count,
+		    [](const FaceSet& a, const FaceSet& b) { return a.count() < b.count(); });
 		if (largest->count() <= kLanes) {
 			break;
 		}
-		const std::size_t middle = part(*largest);
-		const FaceSet second{middle, largest->end, largest->depth};
-		largest->end = middle;
-		parts.push_back(second);
+		part(*largest, parts.part[parts.count++]);
 	}
 	return parts;
 }
 
-// \param descend descend(part) gives the child that a part becomes
-template <class Descend>
-std::uint32_t Builder::addNode(const FaceSet& faces, std::vector<FaceTreeNode>& nodes,
-                               Descend&& descend) {
-	const auto index = static_cast<std::uint32_t>(nodes.size());
+// A node without children yet.
+FaceTreeNode nodeOf(const Parts& parts) {
+	const FloatBox none;
 	FaceTreeNode node{};
 	for (std::size_t k = 0; k < kLanes; ++k) {
+		const FloatBox& box = k < parts.count ? parts.part[k].box : none;
 		node.child[k] = kNone;
 		for (std::size_t axis = 0; axis < 3; ++axis) {
-			node.lo[axis][k] = kInfinity;
-			node.hi[axis][k] = -kInfinity;
+			node.lo[axis][k] = box.lo[axis];
+			node.hi[axis][k] = box.hi[axis];
 		}
 	}
-	nodes.push_back(node);
-	const std::vector<FaceSet> parts = partInFour(faces);
-	for (std::size_t k = 0; k < parts.size(); ++k) {
-		const FloatBox box = boxOf(parts[k]);
-		for (std::size_t axis = 0; axis < 3; ++axis) {
-			nodes[index].lo[axis][k] = box.lo[axis];
-			nodes[index].hi[axis][k] = box.hi[axis];
-		}
-		const std::uint32_t child = descend(parts[k]);
-		nodes[index].child[k] = child;
-	}
-	return index;
+	return node;
 }
 
 // What hangs below one node, on one thread.
 std::uint32_t Builder::grow(const FaceSet& faces, Subtree& tree) {
 	if (faces.count() <= kLanes || pollCancelled(monitor_)) {
-		return addBlock({faces.begin, std::min(faces.end, faces.begin + kLanes), 0}, tree);
+		return addBlock(faces, tree);
 	}
-	return addNode(faces, tree.nodes, [&](const FaceSet& part) { return grow(part, tree); });
+	const Parts parts = partInFour(faces);
+	const auto index = static_cast<std::uint32_t>(tree.nodes.size());
+	tree.nodes.push_back(nodeOf(parts));
+	for (std::size_t k = 0; k < parts.count; ++k) {
+		const std::uint32_t child = grow(parts.part[k], tree);
+		tree.nodes[index].child[k] = child;
+	}
+	return index;
 }
 
-// The nodes above sets of at most `most` faces, which become subtrees later.
-std::uint32_t Builder::growTop(const FaceSet& faces, std::size_t most) {
-	if (faces.count() <= most || pollCancelled(monitor_)) {
+std::uint32_t Builder::addBlock(const FaceSet& faces, Subtree& tree) const {
+	FacesOfBlock block;
+	for (std::size_t lane = 0; lane < kLanes; ++lane) {
+		block[lane] = items_[faces.begin + (lane < faces.count() ? lane : 0)].face;
+	}
+	tree.blocks.push_back(block);
+	return static_cast<std::uint32_t>(tree.blocks.size() - 1) | FaceTreeNode::kBlockBit;
+}
+
+// A set becomes a node that waits for its children, or a subtree.
+std::uint32_t Builder::addToTop(const FaceSet& faces, std::size_t most,
+                                std::vector<std::pair<FaceSet, std::uint32_t>>& waiting) {
+	if (faces.count() <= most) {
 		subtrees_.emplace_back();
 		subtrees_.back().faces = faces;
 		return static_cast<std::uint32_t>(subtrees_.size() - 1) | FaceTreeNode::kBlockBit;
 	}
-	return addNode(faces, topNodes_, [&](const FaceSet& part) { return growTop(part, most); });
+	const auto index = static_cast<std::uint32_t>(topNodes_.size());
+	topNodes_.emplace_back();
+	waiting.emplace_back(faces, index);
+	return index;
 }
 
-void Builder::fillLane(std::uint32_t face, std::size_t lane, FaceBlock& block,
-                       Subtree& tree) const {
+// The nodes above sets of at most `most` faces, level by level; the sets of a level are parted on
+// all threads.
+Status Builder::growTop(std::size_t most) {
+	std::vector<std::pair<FaceSet, std::uint32_t>> level, next;  // with the nodes
+	const std::size_t n = items_.size();
+	topNodes_.emplace_back();
+	level.emplace_back(FaceSet{0, n, 0, boxOf(0, n)}, 0);  // the root is a node, always
+	Status status;
+	while (!level.empty() && status.ok()) {
+		std::vector<Parts> parts(level.size());
+		status = parallelFor(level.size(), 1, threads_, monitor_,
+		                     [&](std::size_t begin, std::size_t end) {
+			                     for (std::size_t i = begin; i < end; ++i) {
+				                     parts[i] = partInFour(level[i].first);
+			                     }
+		                     });
+		next.clear();
+		for (std::size_t i = 0; i < level.size() && status.ok(); ++i) {
+			FaceTreeNode node = nodeOf(parts[i]);
+			for (std::size_t k = 0; k < parts[i].count; ++k) {
+				node.child[k] = addToTop(parts[i].part[k], most, next);
+			}
+			topNodes_[level[i].second] = node;
+		}
+		std::swap(level, next);
+	}
+	return status;
+}
+
+// \return the square of the longest edge
+double Builder::fillLane(std::uint32_t face, std::size_t lane, FaceBlock& block) const {
 	constexpr double kTooShort = 0x1p-960;  // its square's roundings would be of no use
 	const std::array<std::uint32_t, 3> vertices =
 	    verticesByShape(points_, triangles_[face], frame_);
@@ -300,37 +355,24 @@ void Builder::fillLane(std::uint32_t face, std::size_t lane, FaceBlock& block,
 		block.normal[k][lane] = normal[k];
 		block.inverse[k][lane] = squared[k] < kTooShort ? 0 : 1 / squared[k];
 	}
-	tree.longestSquared = std::max(tree.longestSquared, squared[2]);
-}
-
-std::uint32_t Builder::addBlock(const FaceSet& faces, Subtree& tree) const {
-	FaceBlock block;
-	for (std::size_t lane = 0; lane < kLanes; ++lane) {
-		const bool isFace = lane < faces.count();
-		const std::uint32_t face = order_[faces.begin + (isFace ? lane : 0)];
-		block.face[lane] = isFace ? face : kNone;
-		fillLane(face, lane, block, tree);
-	}
-	tree.blocks.push_back(block);
-	return static_cast<std::uint32_t>(tree.blocks.size() - 1) | FaceTreeNode::kBlockBit;
+	return squared[2];
 }
 
 // All parts in one numbering, the root first.
-void Builder::join(BuiltTree& out) {
+void Builder::join(BuiltTree& out, std::vector<FacesOfBlock>& faces) {
 	std::size_t nodeCount = topNodes_.size(), blockCount = 0;
 	for (const Subtree& tree : subtrees_) {
 		nodeCount += tree.nodes.size();
 		blockCount += tree.blocks.size();
 	}
-	out.nodes.reserve(nodeCount);
-	out.blocks.reserve(blockCount);
 	out.nodes = std::move(topNodes_);
+	out.nodes.reserve(nodeCount);
+	faces.reserve(blockCount);
 	const std::size_t topCount = out.nodes.size();
 	std::vector<std::uint32_t> roots;
-	double longestSquared = 0;
 	for (Subtree& tree : subtrees_) {
 		const auto firstNode = static_cast<std::uint32_t>(out.nodes.size());
-		const auto firstBlock = static_cast<std::uint32_t>(out.blocks.size());
+		const auto firstBlock = static_cast<std::uint32_t>(faces.size());
 		const auto moved = [=](std::uint32_t child) {
 			const bool isBlock = (child & FaceTreeNode::kBlockBit) != 0;
 			return child == kNone ? kNone : child + (isBlock ? firstBlock : firstNode);
@@ -339,9 +381,8 @@ void Builder::join(BuiltTree& out) {
 			std::transform(node.child.begin(), node.child.end(), node.child.begin(), moved);
 		}
 		out.nodes.insert(out.nodes.end(), tree.nodes.begin(), tree.nodes.end());
-		out.blocks.insert(out.blocks.end(), tree.blocks.begin(), tree.blocks.end());
+		faces.insert(faces.end(), tree.blocks.begin(), tree.blocks.end());
 		roots.push_back(moved(tree.root));
-		longestSquared = std::max(longestSquared, tree.longestSquared);
 		tree = {};
 	}
 	for (std::size_t i = 0; i < topCount; ++i) {
@@ -350,37 +391,54 @@ void Builder::join(BuiltTree& out) {
 			child = isSubtree ? roots[child & ~FaceTreeNode::kBlockBit] : child;
 		}
 	}
+}
+
+// Blocks are large: each is written once, where it stays.
+Status Builder::fillBlocks(const std::vector<FacesOfBlock>& faces, BuiltTree& out) const {
+	constexpr std::size_t kBlocks = 1 << 9;
+	out.blocks.resizeForOverwrite(faces.size());
+	std::vector<double> longestSquared(chunkCount(faces.size(), kBlocks), 0);
+	const auto fill = [&](std::size_t chunk, std::size_t begin, std::size_t end) {
+		for (std::size_t i = begin; i < end; ++i) {
+			for (std::size_t lane = 0; lane < kLanes; ++lane) {
+				const std::uint32_t face = faces[i][lane];
+				const double squared = fillLane(face, lane, out.blocks[i]);
+				longestSquared[chunk] = std::max(longestSquared[chunk], squared);
+				const bool isAgain = lane > 0 && face == faces[i][0];
+				out.blocks[i].face[lane] = isAgain ? kNone : face;
+			}
+		}
+	};
+	const Status status = parallelForChunks(faces.size(), kBlocks, threads_, monitor_, fill);
 	out.frame = frame_;
-	out.frame.longestEdge = std::sqrt(longestSquared);
+	out.frame.longestEdge =
+	    std::sqrt(*std::max_element(longestSquared.begin(), longestSquared.end()));
+	return status;
 }
 
 Status Builder::run(BuiltTree& out) {
 	constexpr std::size_t kSubtrees = 64, kLeast = 1 << 11;
-	Status status = prepare();
-	if (!status.ok()) {
-		return status;
-	}
-	const std::size_t n = triangles_.size();
-	const std::size_t most = std::max(std::min(std::max(n / kSubtrees, kLeast), n - 1), kLanes);
-	growTop({0, n, 0}, most);
-	if (topNodes_.empty()) {  // one block: the root is a node all the same
-		const auto leave = [this](const FaceSet& part) { return growTop(part, kLanes); };
-		subtrees_.clear();
-		addNode({0, n, 0}, topNodes_, leave);
-	}
-	status = parallelFor(subtrees_.size(), 1, threads_, monitor_,
-	                     [this](std::size_t begin, std::size_t end) {
-		                     for (std::size_t i = begin; i < end; ++i) {
-			                     subtrees_[i].root = grow(subtrees_[i].faces, subtrees_[i]);
-		                     }
-	                     });
-	if (status.ok() && monitor_.cancelled()) {
-		status.code = StatusCode::Cancelled;
-	}
-	if (status.ok()) {
-		join(out);
-	}
-	return status;
+	const std::size_t most = std::max(triangles_.size() / kSubtrees, kLeast);
+	std::vector<FacesOfBlock> faces;
+	const auto growSubtrees = [this](std::size_t begin, std::size_t end) {
+		for (std::size_t i = begin; i < end; ++i) {
+			subtrees_[i].root = grow(subtrees_[i].faces, subtrees_[i]);
+		}
+	};
+	return inOrder(
+	    [&] { return prepare(); }, [&] { return growTop(most); },
+	    [&] { return parallelFor(subtrees_.size(), 1, threads_, monitor_, growSubtrees); },
+	    [&] {
+		    Status status;
+		    if (monitor_.cancelled()) {  // and the subtrees are not whole
+			    status.code = StatusCode::Cancelled;
+		    }
+		    return status;
+	    },
+	    [&] {
+		    join(out, faces);
+		    return fillBlocks(faces, out);
+	    });
 }
 
 }  // namespace
@@ -388,15 +446,24 @@ Status Builder::run(BuiltTree& out) {
 std::array<std::uint32_t, 3> verticesByShape(const Points& points, const IndexTriangle& triangle,
                                              const TreeFrame& frame) {
 	std::array<std::uint32_t, 3> v = triangle;
-	std::sort(v.begin(), v.end(),
-	          [&points](std::uint32_t a, std::uint32_t b) { return points[a] < points[b]; });
+	const auto isBefore = [&points](std::uint32_t a, std::uint32_t b) {
+		return points[a] < points[b];
+	};
 	const auto squaredEdge = [&](std::size_t from, std::size_t to) {
 		const Point edge = minus(frame.scaled(points[v[to]]), frame.scaled(points[v[from]]));
 		return dot(edge, edge);
 	};
 	const std::array<double, 3> opposite{squaredEdge(1, 2), squaredEdge(0, 2), squaredEdge(0, 1)};
-	const auto longest = std::max_element(opposite.begin(), opposite.end()) - opposite.begin();
-	std::rotate(v.begin(), v.begin() + longest, v.begin() + longest + 1);
+	std::size_t first = 0;
+	for (std::size_t k = 1; k < 3; ++k) {
+		const bool isFirst = opposite[k] > opposite[first] ||
+		                     (opposite[k] == opposite[first] && isBefore(v[k], v[first]));
+		first = isFirst ? k : first;
+	}
+	std::swap(v[0], v[first]);
+	if (isBefore(v[2], v[1])) {
+		std::swap(v[1], v[2]);
+	}
 	return v;
 }
 
