@@ -197,7 +197,8 @@ bool RoundingLoop::hasGrown() const {
 
 Status RoundingLoop::run() {
 	constexpr std::size_t kMostRounds = 8;
-	// Few faults are cut and gone; to join the vertices of nearly coplanar walls makes more of them.
+	// Few faults are cut and gone; to join the vertices of nearly coplanar walls makes more of
+	// them.
 	constexpr std::size_t kFewFaces = 300;
 	double reach = first_.placeRepair.concernedAfter <= kFewFaces ? 0 : 1;
 	std::size_t fewest = first_.placeRepair.faultsAfter;
