@@ -352,8 +352,8 @@ Status PlaceDescent::run() {
 	report.faultsBefore = faults_.count();
 	// A fault that goes takes about ten; what needs many more, the rounding loop cures sooner.
 	constexpr std::size_t kFewTrials = 1000, kTrialsPerFault = 10, kMostTrials = 60000;
-	constexpr std::size_t kFewFaces = 300;
-	isMany_ = faults_.concernedCount() > kFewFaces;
+	constexpr std::size_t kFewFaces = 500, kFewFaults = 700;
+	isMany_ = faults_.concernedCount() > kFewFaces || faults_.count() > kFewFaults;
 	mostTrialsInAll_ = arrangement_.options.thoroughRepair && !isMany_
 	                       ? kMostTrials
 	                       : std::min(kMostTrials, kFewTrials + kTrialsPerFault * faults_.count());
