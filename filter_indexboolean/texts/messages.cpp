@@ -37,7 +37,8 @@ constexpr std::array<Remedy, kStatusCodeCount> kRemedies{{
     {StatusCode::Cancelled, Subject::Run, "Run the filter again to get new layers.", nullptr},
     {StatusCode::OutOfMemory, Subject::Run,
      "Close other programs, or ask for fewer new layers at a time.", nullptr},
-    {StatusCode::EmptyOperand, Subject::OneLayer, "Choose a layer with faces.", nullptr},
+    {StatusCode::EmptyOperand, Subject::OneLayer,
+     "Choose a layer with faces, and a weld_distance below the length of its edges.", nullptr},
     {StatusCode::NotFinite, Subject::OneLayer,
      "These faces are selected. If the layer's matrix is to blame, correct it. Else delete them "
      "with \"Delete Selected Faces and Vertices\" (meshing_remove_selected_vertices_and_faces); "

@@ -329,6 +329,13 @@ def empty_cases():
                 "has no face", layer, "choose a layer with faces", "Choose a layer with faces",
                 lambda mesh=mesh: document(mesh, SECOND, CUBE),
                 with_parameters(filter_name, first_mesh=2), right, filter=filter_name)
+    for layer, distance in (("a cube, welded over ten times its size", 20.0),
+                            ("a cube, welded over its size", 4.0)):
+        yield Case(
+            "has no face", layer, "choose a `weld_distance` below the length of its edges",
+            "a weld_distance below the length of its edges", lambda: document(CUBE, SECOND),
+            with_parameters(weld_distance=pymeshlab.PureValue(0.25)), blocks_of(CUBE, SECOND),
+            parameters={"weld_distance": pymeshlab.PureValue(distance)})
 
 
 def self_intersecting_cases():
