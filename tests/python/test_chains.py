@@ -42,10 +42,7 @@ EXCEPTIONS = {
 # (kind, scalar): how many of the seeds of the long tests are refused, and how many have a step that
 # is not certified. To become empty, too.
 LONG_EXCEPTIONS = {
-    ("grid_z_5", "host"): (0, 1),
-    ("grid_z_8", "host"): (0, 7),
-    ("grid_any_5", "host"): (0, 19),
-    ("grid_any_8", "host"): (0, 38),
+    ("grid_any_8", "host"): (0, 9),
 }
 
 
@@ -133,6 +130,12 @@ def test_eachStepIsTakenAndCertifiedAndHasItsVolume(kind, seed, scalar):
         f"refused and first uncertified are the steps {found}, and not {expected}; 0: none. One "
         "that goes further is to be entered in EXCEPTIONS as it is now, or taken out"
     )
+
+
+# Faces that fall together where a block is pulled apart; some hundred faces that the repair cures.
+@pytest.mark.parametrize(("kind", "seed"), [("grid_any_5", 35), ("grid_any_8", 29)])
+def test_turnedGridsThatOnceDidNotHold(kind, seed):
+    assert run_chain(kind, seed, None) == (0, 0)
 
 
 def test_exceptionsAreOfChainsThatAreRun():
