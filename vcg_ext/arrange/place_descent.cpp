@@ -345,6 +345,17 @@ bool PlaceDescent::runRound(double reach, Kind kind) {
 	return isBetter;
 }
 
+// Whether there are too many faults to try all that can be tried on each: some more are not too many
+// in a small arrangement, where trials take little.
+bool PlaceDescent::areMany() const {
+	constexpr std::size_t kFewFaces = 300;
+	constexpr std::size_t kSmall = 1500, kMoreFaces = 500, kMoreFaults = 700;
+	const std::size_t concerned = faults_.concernedCount();
+	const bool isSmall = arrangement_.refinement.pieces.size() <= kSmall;
+	return concerned > (isSmall ? kMoreFaces : kFewFaces) ||
+	       (concerned > kFewFaces && faults_.count() > kMoreFaults);
+}
+
 Status PlaceDescent::run() {
 	constexpr double kMostSteps = 16;
 	PlaceRepair& report = arrangement_.placeRepair;
@@ -352,8 +363,7 @@ Status PlaceDescent::run() {
 	report.faultsBefore = faults_.count();
 	// A fault that goes takes about ten; what needs many more, the rounding loop cures sooner.
 	constexpr std::size_t kFewTrials = 1000, kTrialsPerFault = 10, kMostTrials = 60000;
-	constexpr std::size_t kFewFaces = 500, kFewFaults = 700;
-	isMany_ = faults_.concernedCount() > kFewFaces || faults_.count() > kFewFaults;
+	isMany_ = areMany();
 	mostTrialsInAll_ = arrangement_.options.thoroughRepair && !isMany_
 	                       ? kMostTrials
 	                       : std::min(kMostTrials, kFewTrials + kTrialsPerFault * faults_.count());

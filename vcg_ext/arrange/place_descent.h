@@ -54,6 +54,7 @@ private:
 	static constexpr std::size_t kMostFacesTogether = 100;
 
 	bool isDone() const;
+	bool areMany() const;
 	bool isMostlyTooLarge();
 	bool runRound(double reach, Kind kind);
 	std::vector<Cluster> clusters();

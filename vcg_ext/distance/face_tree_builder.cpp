@@ -177,8 +177,9 @@ void Builder::part(FaceSet& faces, FaceSet& second) {
 void Builder::partInHalves(FaceSet& faces, FaceSet& second, std::size_t axis) {
 	const std::size_t half = (faces.count() / 2 + kLanes - 1) / kLanes * kLanes;
 	const std::size_t middle = faces.begin + std::min(half, faces.count() - 1);
-	std::nth_element(items_.begin() + faces.begin, items_.begin() + middle,
-	                 items_.begin() + faces.end, [axis](const Item& a, const Item& b) {
+	Item* const items = items_.data();
+	std::nth_element(items + faces.begin, items + middle, items + faces.end,
+	                 [axis](const Item& a, const Item& b) {
 		                 return a.box.twiceTheMiddle(axis) < b.box.twiceTheMiddle(axis);
 	                 });
 	second.begin = faces.end = middle;
@@ -228,9 +229,10 @@ bool Builder::partByCost(FaceSet& faces, FaceSet& second, std::size_t axis,
 		return false;
 	}
 	second.box = behind[best];
-	const auto middle = std::partition(items_.begin() + faces.begin, items_.begin() + faces.end,
-	                                   [&](const Item& item) { return binOf(item) < best; });
-	second.begin = faces.end = static_cast<std::size_t>(middle - items_.begin());
+	Item* const items = items_.data();
+	Item* const middle = std::partition(items + faces.begin, items + faces.end,
+	                                    [&](const Item& item) { return binOf(item) < best; });
+	second.begin = faces.end = static_cast<std::size_t>(middle - items);
 	return true;
 }
 

@@ -332,6 +332,7 @@ TEST(RoundingLoop, canBeCancelled) {
 		inTheLoop += stage == "soup_contacts" || stage == "cell_labels" ? 1 : 0;
 	}
 	EXPECT_GT(cancelledRuns, 4);
+	EXPECT_GT(inTheLoop, 0);
 }
 
 }  // namespace
