@@ -345,8 +345,8 @@ bool PlaceDescent::runRound(double reach, Kind kind) {
 	return isBetter;
 }
 
-// Whether there are too many faults to try all that can be tried on each: some more are not too many
-// in a small arrangement, where trials take little.
+// Whether there are too many faults to try all that can be tried on each: some more are not too
+// many in a small arrangement, where trials take little.
 bool PlaceDescent::areMany() const {
 	constexpr std::size_t kFewFaces = 300;
 	constexpr std::size_t kSmall = 1500, kMoreFaces = 500, kMoreFaults = 700;

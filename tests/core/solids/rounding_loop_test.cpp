@@ -313,14 +313,10 @@ TEST(RoundingLoop, endsWhereARoundIsRefused) {
 // Each callback that may cancel does so in one of the runs.
 TEST(RoundingLoop, canBeCancelled) {
 	const Pair pair = pairsNearlyTheSame()[2];
-	int cancelledRuns = 0, inTheLoop = 0;
+	int cancelledRuns = 0;
 	for (int most = 0; most < 10000; most = most * 2 + 1) {
 		int calls = 0;
-		std::string stage;
-		Monitor monitor([&](double, const char* name) {
-			stage = name;
-			return calls++ < most;
-		});
+		Monitor monitor([&](double, const char*) { return calls++ < most; });
 		Arrangement arrangement;
 		const Status status =
 		    arrange(arrays(pair.a, pair.b), withScalar(pair.scalar), monitor, arrangement);
@@ -329,10 +325,8 @@ TEST(RoundingLoop, canBeCancelled) {
 		}
 		EXPECT_EQ(status.code, StatusCode::Cancelled) << most;
 		++cancelledRuns;
-		inTheLoop += stage == "soup_contacts" || stage == "cell_labels" ? 1 : 0;
 	}
 	EXPECT_GT(cancelledRuns, 4);
-	EXPECT_GT(inTheLoop, 0);
 }
 
 }  // namespace
