@@ -362,23 +362,28 @@ def self_intersecting_cases():
             parameters={"self_intersections": "refuse"})
 
 
-def too_wide_cases():
+def too_wide(filters):
+    """Balls welded over more than their edges, in these filters: (name, what is right then)."""
     smaller = "Choose a smaller weld_distance: one that is larger than the cracks"
-    for layer, mesh, far, near in (
-        ("a ball with edges of 0.2 by a distance of 0.3", BALL, 0.3, 1e-3),
-        ("a cracked ball by the same", cracked(BALL, 1e-9, 3), 0.3, 1e-8),
+    for layer, mesh, near in (
+        ("a ball with edges of 0.2 by a distance of 0.3", BALL, 1e-3),
+        ("a cracked ball by the same", cracked(BALL, 1e-9, 3), 1e-8),
     ):
-        for filter_name, right in (
-            (BOOLEAN, blocks_of(BALL, SECOND, 1e-7)),
-            (SPLIT, lambda result, mesh_set: len(result["sub_blocks_volumes"]) == 3),
-            (CURVES, lambda result, mesh_set: result["loops_hard_closed"] == 1),
-        ):
+        for filter_name, right in filters:
             yield Case(
                 "has vertices that are linked over too far a way", layer,
                 "choose a smaller `weld_distance`", smaller,
                 lambda mesh=mesh: document(mesh, SECOND),
                 with_parameters(filter_name, weld_distance=pymeshlab.PureValue(near)), right,
-                filter=filter_name, parameters={"weld_distance": pymeshlab.PureValue(far)})
+                filter=filter_name, parameters={"weld_distance": pymeshlab.PureValue(0.3)})
+
+
+def too_wide_cases():
+    return too_wide((
+        (BOOLEAN, blocks_of(BALL, SECOND, 1e-7)),
+        (SPLIT, lambda result, mesh_set: len(result["sub_blocks_volumes"]) == 3),
+        (CURVES, lambda result, mesh_set: result["loops_hard_closed"] == 1),
+    ))
 
 
 def parameter_cases():

@@ -16,7 +16,7 @@ from plain_solids import one_sided
 from refusal_cases import (
     BALL, BOOLEAN, CLOSE, CUBE, CURVES, DELETE, DISTANCE, EXPRESSION, FAR, IMPLICIT, PANE,
     REMOVE_DUPLICATES, RESOLVE, SECOND, SPLIT, TOP, Case, after, by_the_distance_named_in,
-    cracked, double_sided, flat, run, with_parameters, with_vertex, without_faces,
+    cracked, double_sided, flat, run, too_wide, with_parameters, with_vertex, without_faces,
 )
 
 CLIP = {"second_inside_first": True, "sub_blocks": False}
@@ -229,23 +229,12 @@ def small_box():
 
 
 def weld_cases():
-    smaller = "Choose a smaller weld_distance: one that is larger than the cracks"
-    for layer, mesh, near in (
-        ("a ball with edges of 0.2 by a distance of 0.3", BALL, 1e-3),
-        ("a cracked ball by the same", cracked(BALL, 1e-9, 3), 1e-8),
-    ):
-        for filter_name, right in (
-            (EXPRESSION, is_about("result_0_volume", difference_of(BALL), 1e-7)),
-            (RESOLVE, is_about("resolved_volume", mesh_laws.volume(*BALL), 1e-7)),
-            (DISTANCE, lambda result, mesh_set: result["hausdorff"] > 0),
-            (IMPLICIT, lambda result, mesh_set: result["inside"] == 1),
-        ):
-            yield Case(
-                "has vertices that are linked over too far a way", layer,
-                "choose a smaller `weld_distance`", smaller,
-                lambda mesh=mesh: document(mesh, SECOND),
-                with_parameters(filter_name, weld_distance=pymeshlab.PureValue(near)), right,
-                filter=filter_name, parameters={"weld_distance": pymeshlab.PureValue(0.3)})
+    return too_wide((
+        (EXPRESSION, is_about("result_0_volume", difference_of(BALL), 1e-7)),
+        (RESOLVE, is_about("resolved_volume", mesh_laws.volume(*BALL), 1e-7)),
+        (DISTANCE, lambda result, mesh_set: result["hausdorff"] > 0),
+        (IMPLICIT, lambda result, mesh_set: result["inside"] == 1),
+    ))
 
 
 def list_cases():
