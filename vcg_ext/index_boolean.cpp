@@ -378,14 +378,6 @@ constexpr double kMadeBlock = 0.95;  // of a block's progress bar
 // Collects a block's faces and vertices from a labelled arrangement.
 using Collect = std::function<Status(const Arrangement& arrangement, Block&)>;
 
-// How a block is made, if what it is usually does not hold.
-struct BlockVariant {
-	std::vector<FaceId> keptCuts;  // input faces, ascending
-	// Where the block meets itself it is pulled apart only once what falls together as stored has
-	// been cleaned away: two faces on one triangle are seen only if they have its vertices.
-	bool isPulledApartLast = false;
-};
-
 // A block from the labelled arrangement to its certificate.
 void makeBlock(const Arrangement& arrangement, const Collect& collect, const BlockVariant& variant,
                Monitor& monitor, Stages& stages, Block& out) {
@@ -433,22 +425,6 @@ Status finishAgain(const Arrangement& arrangement, const Collect& collect, Monit
 	               });
 }
 
-using MakeVariant = std::function<Status(const BlockVariant& variant, Block& out)>;
-
-// Makes a block that does not hold again, pulled apart last, and takes that if it holds better.
-Status pullApartLast(const Arrangement& arrangement, const MakeVariant& make, Block& out) {
-	if (out.certificate.faces.empty() || arrangement.options.weldNonManifold) {
-		return {};
-	}
-	Block again;
-	const Status status = make({out.keptCuts, true}, again);
-	if (status.ok() && again.certificate.faces.size() < out.certificate.faces.size()) {
-		again.stageTimes.swap(out.stageTimes);
-		out = std::move(again);
-	}
-	return status;
-}
-
 Status extractCollected(const Arrangement& arrangement, const Collect& collect, Monitor& monitor,
                         Block& out) {
 	return guarded([&] {
@@ -456,16 +432,13 @@ Status extractCollected(const Arrangement& arrangement, const Collect& collect, 
 		const Arrangement& stored = asStored(arrangement);
 		makeBlock(stored, collect, {}, monitor, stages, out);
 		stages.run("kept_cuts", 0, [&] {
-			const MakeVariant make = [&](const BlockVariant& variant, Block& again) {
+			const auto remake = [&](const BlockVariant& variant, Block& again) {
 				Stages repeated(monitor, again.stageTimes, kMadeBlock, 0);
 				makeBlock(stored, collect, variant, monitor, repeated, again);
 				return repeated.status();
 			};
-			const auto remake = [&](const std::vector<FaceId>& keptCuts, Block& again) {
-				return make({keptCuts, false}, again);
-			};
 			return inOrder([&] { return keepCutsThatHold(stored, remake, out); },
-			               [&] { return pullApartLast(stored, make, out); });
+			               [&] { return pullApartLast(stored, remake, out); });
 		});
 		if (arrangement.again != nullptr) {
 			stages.run("rounding_loop", 0,

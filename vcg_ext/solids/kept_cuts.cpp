@@ -31,6 +31,14 @@ std::vector<FaceId> allCutFaces(const Refinement& refinement) {
 	return faces;
 }
 
+void takeIfBetter(const Block& again, Block& block) {
+	if (again.certificate.faces.size() < block.certificate.faces.size()) {
+		std::vector<StageTime> times = std::move(block.stageTimes);
+		block = again;
+		block.stageTimes = std::move(times);
+	}
+}
+
 }  // namespace
 
 Status keepCutsThatHold(const Arrangement& arrangement, const RemakeBlock& remake, Block& block) {
@@ -49,17 +57,26 @@ Status keepCutsThatHold(const Arrangement& arrangement, const RemakeBlock& remak
 			kept = allCutFaces(arrangement.refinement);
 		}
 		Block again;
-		const Status status = remake(kept, again);
+		const Status status = remake({kept, false}, again);
 		if (!status.ok()) {
 			return status;
 		}
-		if (again.certificate.faces.size() < block.certificate.faces.size()) {
-			again.stageTimes.swap(block.stageTimes);
-			block = again;
-		}
+		takeIfBetter(again, block);
 		last = std::move(again);
 	}
 	return {};
+}
+
+Status pullApartLast(const Arrangement& arrangement, const RemakeBlock& remake, Block& block) {
+	if (block.certificate.faces.empty() || arrangement.options.weldNonManifold) {
+		return {};
+	}
+	Block again;
+	const Status status = remake({block.keptCuts, true}, again);
+	if (status.ok()) {
+		takeIfBetter(again, block);
+	}
+	return status;
 }
 
 }  // namespace index_boolean

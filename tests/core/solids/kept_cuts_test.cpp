@@ -89,8 +89,9 @@ Asked ask(std::vector<std::uint32_t> first, std::vector<std::vector<std::uint32_
 	}
 	Asked asked;
 	asked.block = blockWithWrong(std::move(first));
-	const auto remake = [&](const std::vector<FaceId>& kept, Block& out) {
-		asked.kept.push_back(kept);
+	const auto remake = [&](const BlockVariant& variant, Block& out) {
+		EXPECT_FALSE(variant.isPulledApartLast);
+		asked.kept.push_back(variant.keptCuts);
 		out = blockWithWrong(later[asked.kept.size() - 1]);
 		return failure;
 	};
@@ -116,6 +117,33 @@ TEST(KeptCuts, allCutsAreKeptAtLastAndTheBestBlockStays) {
 	const Asked asked = ask({0, 1}, {{1}, {0, 1, 2}});
 	EXPECT_EQ(asked.kept, (Lists{{a, b}, {a, b, c, d}}));
 	EXPECT_EQ(asked.block.certificate.faces, (std::vector<std::uint32_t>{1}));
+}
+
+TEST(KeptCuts, whatDoesNotHoldIsPulledApartLastIfThatIsBetter) {
+	Arrangement arrangement;
+	Block block = blockWithWrong({0, 1});
+	block.keptCuts = {b};
+	std::vector<std::uint32_t> left{0, 1, 2};
+	int calls = 0;
+	const auto remake = [&](const BlockVariant& variant, Block& out) {
+		++calls;
+		EXPECT_TRUE(variant.isPulledApartLast);
+		EXPECT_EQ(variant.keptCuts, block.keptCuts);
+		out = blockWithWrong(left);
+		out.keptCuts = variant.keptCuts;
+		return Status{};
+	};
+	EXPECT_TRUE(pullApartLast(arrangement, remake, block).ok());
+	EXPECT_EQ(block.certificate.faces.size(), 2U);
+	left.clear();
+	EXPECT_TRUE(pullApartLast(arrangement, remake, block).ok());
+	EXPECT_TRUE(block.certificate.faces.empty());
+	EXPECT_TRUE(pullApartLast(arrangement, remake, block).ok());
+	EXPECT_EQ(calls, 2);
+	block = blockWithWrong({0});
+	arrangement.options.weldNonManifold = true;
+	EXPECT_TRUE(pullApartLast(arrangement, remake, block).ok());
+	EXPECT_EQ(calls, 2);
 }
 
 TEST(KeptCuts, aFailureIsHandedOn) {
