@@ -5,6 +5,7 @@
 // so that each point is looked at once for each face that it lies in.
 #include "vcg_ext/carry/attributes.h"
 
+#include "vcg_ext/base/bucket_sort.h"
 #include "vcg_ext/base/huge_vector.h"
 #include "vcg_ext/base/parallel.h"
 #include "vcg_ext/carry/corner_parting.h"
@@ -210,8 +211,14 @@ Status SourceFinder::findCorners() {
 
 // Finds each place that is wanted once.
 Status SourceFinder::mixWanted() {
-	std::sort(wanted_.begin(), wanted_.end(),
-	          [](const Wanted& a, const Wanted& b) { return a.place < b.place; });
+	Status status = bucketSort(
+	    wanted_, arrangement_.mesh.triangles.size(),
+	    [](const Wanted& w) { return w.place.face.value; },
+	    [](const Wanted& a, const Wanted& b) { return a.place < b.place; },
+	    arrangement_.options.threads, monitor_);
+	if (!status.ok()) {
+		return status;
+	}
 	std::vector<WantedPlace> wanted;  // per mix
 	for (const Wanted& w : wanted_) {
 		if (wanted.empty() || !(wanted.back() == w.place)) {
@@ -220,7 +227,7 @@ Status SourceFinder::mixWanted() {
 		*w.slot = w.firstMix + static_cast<std::uint32_t>(wanted.size() - 1);
 	}
 	std::vector<PlaceInFace> places;
-	const Status status = locator_.locate(wanted, monitor_, places);
+	status = locator_.locate(wanted, monitor_, places);
 	out_.mixes.reserve(places.size());
 	for (const PlaceInFace& place : places) {
 		out_.mixes.push_back({locator_.givenFace(place.face), place.weights});

@@ -3,12 +3,14 @@
 //
 // A set of faces is a simple polygon iff all its vertices are on its border, once each, and its
 // faces are two fewer: its Euler number is then one, which no other surface with a border has.
+// A vertex of a closed mesh all of whose faces are of one side of a polygon is on no border. Most
+// pieces of a large polygon have one, so that few edges have to be looked at.
 #include "vcg_ext/carry/polygons.h"
 
 #include "vcg_ext/base/bucket_sort.h"
-#include "vcg_ext/base/concurrent_sets.h"
 #include "vcg_ext/base/edge_buckets.h"
 #include "vcg_ext/base/parallel.h"
+#include "vcg_ext/base/union_find.h"
 
 #include <algorithm>
 #include <functional>
@@ -29,6 +31,10 @@ struct SetVertex {
 	}
 };
 
+// A face of the mesh: of a polygon that is whole, or of none; of one that is not; and that with a
+// vertex inside, for which its set is no polygon.
+enum class Kind : std::uint8_t { Whole, Broken, Inside };
+
 constexpr std::size_t kGrain = 1 << 12;
 constexpr std::uint8_t kNotWhole = 0xff;  // no mask of faux edges
 
@@ -47,9 +53,11 @@ private:
 	Status findWholeFaces();
 	void countWholeFaces();
 	void markIntact();
+	void findInside();
 	Status listHalfEdges();
 	bool areJoined(const EdgeSide* first, const EdgeSide* last) const;
-	Status joinPieces();
+	Status findJoints();
+	void joinPieces();
 	Status findSimple();
 	Status checkVertices();
 	void markSimple();
@@ -69,14 +77,16 @@ private:
 	HugeVector<std::uint8_t> whole_;   // per face of the mesh: its faux edges in the input, if it
 	                                   // is all of an input face of a polygon; else kNotWhole
 	HugeVector<std::uint32_t> present_;  // of whole faces in one part of the mesh, per side
-	// Faces of the mesh in polygons that are not whole; and which these are.
+	// Faces of the mesh in polygons that are not whole, but for those with a vertex inside; and
+	// what each face is.
 	std::vector<std::uint32_t> broken_;
-	std::vector<std::uint8_t> isBroken_;
-	EdgeBuckets edges_;  // theirs, with the sides of others on the same two vertices
-	// Per face of the mesh, as faux edges are marked: those that join faces of one side of a
+	std::vector<Kind> kind_;
+	EdgeBuckets edges_;                // theirs, with the sides of others on the same two vertices
+	HugeVector<std::uint32_t> place_;  // per face of the mesh that is in broken_: where
+	// Per face in broken_, as faux edges are marked: those that join faces of one side of a
 	// polygon; and the set of faces that are joined across them.
 	std::vector<std::uint8_t> inner_;
-	HugeVector<std::uint32_t> set_;
+	std::vector<std::uint32_t> set_;
 	std::vector<std::uint8_t> isSimple_;  // per set
 };
 
@@ -136,7 +146,7 @@ void Marker::countWholeFaces() {
 
 void Marker::markIntact() {
 	output_.faux.assign(output_.triangles.size(), 0);
-	isBroken_.assign(output_.triangles.size(), 0);
+	kind_.assign(output_.triangles.size(), Kind::Whole);
 	for (std::size_t f = 0; f < output_.triangles.size(); ++f) {
 		const std::uint32_t size = size_[side_[f] / 2];
 		if (size == 1) {
@@ -145,10 +155,39 @@ void Marker::markIntact() {
 		if (whole_[f] != kNotWhole && present_[side_[f]] == size) {
 			output_.faux[f] = whole_[f];
 		} else {
-			isBroken_[f] = 1;
+			kind_[f] = Kind::Broken;
 			broken_.push_back(static_cast<std::uint32_t>(f));
 		}
 	}
+}
+
+// Leaves out the faces with a vertex all of whose faces are of their side of the polygon. Where
+// there are several parts the mesh may have a border, which such a vertex may be on.
+void Marker::findInside() {
+	constexpr std::uint32_t kNone = 0xffffffff, kSeveral = 0xfffffffe;
+	if (!part_.empty()) {
+		return;
+	}
+	std::vector<std::uint32_t> sideAt(output_.points.size(), kNone);  // per vertex, of its faces
+	for (std::size_t f = 0; f < output_.triangles.size(); ++f) {
+		for (const std::uint32_t v : output_.triangles[f]) {
+			sideAt[v] = sideAt[v] == kNone || sideAt[v] == side_[f] ? side_[f] : kSeveral;
+		}
+	}
+	const auto isInside = [&](std::uint32_t f) {
+		const auto& t = output_.triangles[f];
+		return std::any_of(t.begin(), t.end(),
+		                   [&](std::uint32_t v) { return sideAt[v] == side_[f]; });
+	};
+	std::size_t kept = 0;
+	for (const std::uint32_t f : broken_) {
+		if (isInside(f)) {
+			kind_[f] = Kind::Inside;
+		} else {
+			broken_[kept++] = f;
+		}
+	}
+	broken_.resize(kept);
 }
 
 Status Marker::listHalfEdges() {
@@ -176,52 +215,63 @@ bool Marker::areJoined(const EdgeSide* first, const EdgeSide* last) const {
 		return false;
 	}
 	const std::uint32_t a = first[0].face, b = first[1].face;
-	return isBroken_[a] != 0 && isBroken_[b] != 0 && side_[a] == side_[b] && partOf(a) == partOf(b);
+	return kind_[a] != Kind::Whole && kind_[b] != Kind::Whole && side_[a] == side_[b] &&
+	       partOf(a) == partOf(b);
 }
 
-Status Marker::joinPieces() {
-	const std::size_t n = output_.triangles.size();
-	const int threads = arrangement_.options.threads;
-	ConcurrentSets sets(n);
-	set_.resizeForOverwrite(n);
+// Marks the first side of each edge inside one side of a polygon: the other follows it.
+Status Marker::findJoints() {
+	const auto join = [this](std::size_t, EdgeSide* first, EdgeSide* last) {
+		first[0].mark = areJoined(first, last);
+	};
+	return edges_.forEachEdge(arrangement_.options.threads, monitor_, join);
+}
+
+// Makes the sets, and marks the edges inside them and those to faces with a vertex inside.
+void Marker::joinPieces() {
+	const std::size_t n = broken_.size();
+	place_.resizeForOverwrite(output_.triangles.size());
+	for (std::uint32_t i = 0; i < n; ++i) {
+		place_[broken_[i]] = i;
+	}
+	UnionFind sets(n);
 	inner_.assign(n, 0);
-	const auto join = [&](std::size_t, EdgeSide* first, EdgeSide* last) {
-		if (areJoined(first, last)) {
-			sets.unite(first[0].face, first[1].face);
-			first[0].mark = first[1].mark = true;
+	const auto& sides = edges_.sides();
+	for (std::size_t k = 0; k < sides.size(); ++k) {
+		if (!sides[k].mark) {
+			continue;
 		}
-	};
-	const auto listSets = [&](std::size_t begin, std::size_t end) {
-		sets.flatten(begin, end);
-		for (std::size_t f = begin; f < end; ++f) {
-			set_[f] = sets.root(static_cast<std::uint32_t>(f));
+		const EdgeSide &a = sides[k], &b = sides[k + 1];
+		for (const EdgeSide& side : {a, b}) {
+			if (kind_[side.face] == Kind::Broken) {
+				markFaux(inner_[place_[side.face]], side.corner);
+			}
 		}
-	};
-	const auto makeSets = [&](std::size_t begin, std::size_t end) { sets.makeSets(begin, end); };
-	const Status status =
-	    inOrder([&] { return parallelFor(n, kGrain, threads, monitor_, makeSets); },
-	            [&] { return edges_.forEachEdge(threads, monitor_, join); },
-	            [&] { return parallelFor(n, kGrain, threads, monitor_, listSets); });
-	for (const EdgeSide& side : edges_.sides()) {  // in order: the edges of a face share a byte
-		if (side.mark) {
-			markFaux(inner_[side.face], side.corner);
+		if (kind_[a.face] == Kind::Broken && kind_[b.face] == Kind::Broken) {
+			sets.unite(place_[a.face], place_[b.face]);
 		}
 	}
-	return status;
+	set_.resize(n);
+	for (std::uint32_t i = 0; i < n; ++i) {
+		set_[i] = sets.find(i);
+	}
 }
 
 // Of a simple polygon, each vertex begins one edge of the border, and the faces are two fewer than
-// these: what fails by counts needs no look at its vertices.
+// these: what fails by counts needs no look at its vertices. Of n faces joined by at least n - 1
+// edges, k of whose other edges lead to faces with a vertex inside, at most n + 2 - k are at the
+// border: a set that is only a part of one with a vertex inside fails by counts.
 Status Marker::findSimple() {
-	std::vector<std::uint32_t> faces(set_.size(), 0), border(set_.size(), 0);
-	for (const std::uint32_t f : broken_) {
+	const std::size_t n = broken_.size();
+	std::vector<std::uint32_t> faces(n, 0), border(n, 0);
+	isSimple_.assign(n, 1);
+	for (std::size_t f = 0; f < n; ++f) {
 		++faces[set_[f]];
 		for (std::size_t i = 0; i < 3; ++i) {
 			border[set_[f]] += isFaux(inner_[f], i) ? 0 : 1;
 		}
 	}
-	isSimple_.assign(set_.size(), 1);
-	for (const std::uint32_t f : broken_) {
+	for (std::size_t f = 0; f < n; ++f) {
 		if (faces[set_[f]] + 2 != border[set_[f]]) {
 			isSimple_[set_[f]] = 0;
 		}
@@ -233,9 +283,9 @@ Status Marker::findSimple() {
 Status Marker::checkVertices() {
 	std::vector<SetVertex> used,
 	    starts;  // corners of faces; those that an edge of the border leaves
-	for (const std::uint32_t f : broken_) {
+	for (std::size_t f = 0; f < broken_.size(); ++f) {
 		for (std::size_t i = 0; isSimple_[set_[f]] != 0 && i < 3; ++i) {
-			used.push_back({output_.triangles[f][i], set_[f]});
+			used.push_back({output_.triangles[broken_[f]][i], set_[f]});
 			if (!isFaux(inner_[f], i)) {
 				starts.push_back(used.back());
 			}
@@ -263,9 +313,9 @@ Status Marker::checkVertices() {
 }
 
 void Marker::markSimple() {
-	for (const std::uint32_t f : broken_) {
+	for (std::size_t f = 0; f < broken_.size(); ++f) {
 		if (isSimple_[set_[f]] != 0) {
-			output_.faux[f] = inner_[f];
+			output_.faux[broken_[f]] = inner_[f];
 		}
 	}
 }
@@ -275,11 +325,15 @@ Status Marker::run() {
 	if (status.ok()) {
 		countWholeFaces();
 		markIntact();
+		findInside();
 	}
 	// Faces merged across polygons belong to none of them.
 	if (status.ok() && !broken_.empty() && !arrangement_.options.mergeCoplanar) {
-		status = inOrder([this] { return listHalfEdges(); }, [this] { return joinPieces(); },
-		                 [this] { return findSimple(); });
+		status = inOrder([this] { return listHalfEdges(); }, [this] { return findJoints(); });
+		if (status.ok()) {
+			joinPieces();
+			status = findSimple();
+		}
 		if (status.ok()) {
 			markSimple();
 		}
