@@ -215,10 +215,12 @@ bool Assembler::isHigher(LineStart a, LineStart b) const {
 	if (v == w) {
 		return isUpright(b.face) && !isUpright(a.face);
 	}
-	const double height = arrangement_.coordinates(v)[kLineAxis];
-	const double other = arrangement_.coordinates(w)[kLineAxis];
-	if (height != other) {
-		return height > other;  // rounding keeps the order
+	const Point &place = arrangement_.coordinates(v), &other = arrangement_.coordinates(w);
+	if (place[kLineAxis] != other[kLineAxis]) {
+		return place[kLineAxis] > other[kLineAxis];  // rounding keeps the order
+	}
+	if (!arrangement_.isCurvePoint(v) && !arrangement_.isCurvePoint(w)) {
+		return place > other;  // which are exact
 	}
 	const ExactPoint p = exactPoint(arrangement_, v), q = exactPoint(arrangement_, w);
 	int order = 0;
@@ -228,14 +230,29 @@ bool Assembler::isHigher(LineStart a, LineStart b) const {
 	return order > 0;
 }
 
-// The top of surfaces_.faces[begin .. end).
+// The top of surfaces_.faces[begin .. end): as isHigher finds it, with one look at each height, and
+// at a face only where its corner is the top so far.
 LineStart Assembler::topOf(std::uint32_t begin, std::uint32_t end) const {
+	const auto vertexOf = [this](LineStart s) { return complex_.faces[s.face].corners[s.corner]; };
+	const auto heightOf = [this](VertexId v) { return arrangement_.coordinates(v)[kLineAxis]; };
 	LineStart top{surfaces_.faces[begin], 0};
+	VertexId highest = vertexOf(top);
+	double height = heightOf(highest);
+	bool mayBeUpright = true;
 	for (std::uint32_t i = begin; i < end; ++i) {
 		for (std::uint32_t corner = 0; corner < 3; ++corner) {
 			const LineStart other{surfaces_.faces[i], corner};
-			if (isHigher(other, top)) {
+			const VertexId v = vertexOf(other);
+			if (v == highest) {
+				mayBeUpright = mayBeUpright && isUpright(top.face);
+				if (mayBeUpright && isHigher(other, top)) {
+					top = other;
+				}
+			} else if (const double z = heightOf(v); z >= height && isHigher(other, top)) {
 				top = other;
+				highest = v;
+				height = z;
+				mayBeUpright = true;
 			}
 		}
 	}
