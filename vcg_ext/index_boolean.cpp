@@ -37,6 +37,7 @@
 #include "vcg_ext/solids/labels.h"
 #include "vcg_ext/solids/manifold_copies.h"
 #include "vcg_ext/solids/merge_fragments.h"
+#include "vcg_ext/solids/merge_walls.h"
 #include "vcg_ext/solids/operand_refusals.h"
 #include "vcg_ext/solids/overlap_owners.h"
 #include "vcg_ext/solids/rounding_loop.h"
@@ -443,6 +444,9 @@ Status extractCollected(const Arrangement& arrangement, const Collect& collect, 
 		if (arrangement.again != nullptr) {
 			stages.run("rounding_loop", 0,
 			           [&] { return finishAgain(arrangement, collect, monitor, out); });
+		}
+		if (arrangement.options.mergeTolerance > 0) {
+			stages.run("merge_walls", 0, [&] { return mergeWalls(arrangement, monitor, out); });
 		}
 		stages.run("polygons", 0.05, [&] { return findFauxEdges(arrangement, {}, monitor, out); });
 		return stages.status();
