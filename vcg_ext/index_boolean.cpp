@@ -30,6 +30,7 @@
 #include "vcg_ext/mesh/closing_distance.h"
 #include "vcg_ext/mesh/near_vertices.h"
 #include "vcg_ext/mesh/unmatched_edges.h"
+#include "vcg_ext/parts/merge_shared_walls.h"
 #include "vcg_ext/solids/block_audit.h"
 #include "vcg_ext/solids/cell_labels.h"
 #include "vcg_ext/solids/delaunay_pieces.h"
@@ -508,6 +509,10 @@ Status findParts(const Arrangement& arrangement, bool alsoBlocks, Monitor& monit
 			}
 			return status;
 		});
+		if (arrangement.options.mergeTolerance > 0) {
+			stages.run("merge_shared_walls", 0,
+			           [&] { return mergeSharedWalls(arrangement, monitor, out.surfaces); });
+		}
 		if (alsoBlocks) {
 			stages.run("sub_blocks", 0.3, [&] {
 				return findSubBlocks(arrangement, out.surfaces, Walls::All, monitor, out.blocks);

@@ -24,11 +24,12 @@ std::string keyOf(std::string stage) {
 // Of a surface that is certified as one.
 void addCertificate(const std::string& name, const SourcedMesh& mesh, const SurfaceRepair& ofMesh,
                     const PlaceRepair& repair, ResultMap& map) {
+	map[name + "_merged_vertices"] = toInt(mesh.wallMerge.vertices);
 	map[name + "_self_intersections"] = static_cast<int>(mesh.certificate.count());
 	if (mesh.certificate.isKnown) {
 		map[name + "_repair_rounds"] = toInt(repair.rounds);
 		map[name + "_moved_vertices"] = toInt(ofMesh.movedVertices);
-		map[name + "_largest_move"] = repair.largestMove;
+		map[name + "_largest_move"] = std::max(repair.largestMove, mesh.wallMerge.largestMove);
 		map[name + "_volume_change"] = ofMesh.volumeChange;
 		map[name + "_vanished_components"] = toInt(ofMesh.vanishedComponents);
 	}
@@ -269,6 +270,9 @@ ResultMap resultMap(const SplitResult& result, const std::vector<Clip>& clips,
 	if (names.isList) {
 		addOperands(names.layers, map);
 	}
+	const WallMerge& merge = result.split.surfaces.wallMerge;
+	map["merged_vertices"] = toInt(merge.vertices);
+	map["largest_merge"] = merge.largestMove;
 	map["sub_blocks_closed"] = result.audit.closed;
 	map["volume_law_residual"] = result.audit.volumeLawResidual;
 	map["zero_area_faces_removed"] =

@@ -98,6 +98,7 @@ public:
 
 private:
 	using Edge = std::array<std::uint32_t, 2>;
+	static constexpr std::uint8_t kShort = 1, kOfSeveral = 2;  // of candidates, while they are listed
 
 	std::uint32_t placeOf(std::uint32_t v) const { return surface_.place[v]; }
 	const Point& at(std::uint32_t v) const { return surface_.points[v]; }
@@ -152,30 +153,73 @@ private:
 	std::size_t originalCount_ = 0;  // of the faces, those of the surface
 };
 
-// A vertex that may bear nothing: two faces of one region have an edge at it, or it is near another
-// one that it is joined to. Copies in one place stay.
-void RegionMerger::listCandidates() {
-	const std::size_t n = surface_.points.size();
-	std::vector<std::uint8_t> isCopied(n, 0);
-	for (std::uint32_t v = 0; v < n; ++v) {
-		if (placeOf(v) != v) {
-			isCopied[v] = isCopied[placeOf(v)] = 1;
-		}
-	}
-	isCandidate_.assign(n, 0);
-	const double near = limits_.aside * limits_.aside;
-	for (std::size_t f = 0; f < surface_.triangles.size(); ++f) {
-		const IndexTriangle& t = surface_.triangles[f];
-		const bool isOfSeveral = !regions_.isSingle(regions_.ofFace[f]);
-		for (std::size_t i = 0; i < 3; ++i) {
-			const std::uint32_t v = t[i], w = t[i == 2 ? 0 : i + 1];
-			if (isOfSeveral || squaredDistance(at(v), at(w)) <= near) {
-				isCandidate_[v] = isCandidate_[w] = 1;
+// The border edges at each vertex, as far as they are few: where they lead.
+class BorderEnds {
+public:
+	explicit BorderEnds(std::size_t vertices) : ends_(vertices, {kNone, kNone, kNone}) {}
+
+	void add(std::uint32_t v, std::uint32_t end) {
+		for (std::uint32_t& known : ends_[v]) {
+			if (known == kNone || known == end) {
+				known = end;
+				return;
 			}
 		}
 	}
+	// Whether there are three or more.
+	bool areMany(std::uint32_t v) const { return ends_[v][2] != kNone; }
+	const std::array<std::uint32_t, 3>& at(std::uint32_t v) const { return ends_[v]; }
+
+private:
+	HugeVector<std::array<std::uint32_t, 3>> ends_;
+};
+
+// Vertices that may bear nothing: those inside a region, those between two regions in a line that
+// may be straight once others have gone, and those that are joined to one nearby. Copies in one
+// place stay.
+void RegionMerger::listCandidates() {
+	const std::size_t n = surface_.points.size();
+	isCandidate_.assign(n, 0);
+	BorderEnds borders(n);
+	const double near = limits_.aside * limits_.aside;
+	for (std::size_t f = 0; f < surface_.triangles.size(); ++f) {
+		const IndexTriangle& t = surface_.triangles[f];
+		const bool isSingle = regions_.isSingle(regions_.ofFace[f]);
+		for (std::size_t i = 0; i < 3; ++i) {
+			const std::uint32_t v = t[i], w = t[i == 2 ? 0 : i + 1];
+			const std::uint32_t other = regions_.neighbours[f][i];
+			const bool isShort = squaredDistance(at(v), at(w)) <= near;
+			const std::uint8_t mark = isShort ? kShort : isSingle ? std::uint8_t{0} : kOfSeveral;
+			for (const std::uint32_t end : {v, w}) {
+				isCandidate_[end] = static_cast<std::uint8_t>(isCandidate_[end] | mark);
+			}
+			if (other == kNone || regions_.ofFace[other] != regions_.ofFace[f]) {
+				borders.add(v, w);
+				borders.add(w, v);
+			}
+		}
+	}
+	const auto mayBeStraight = [&](std::uint32_t v) {
+		constexpr double kWider = 16;  // the square of how much farther it may be now
+		const auto& ends = borders.at(v);
+		return !borders.areMany(v) &&
+		       (ends[1] == kNone || squaredDistanceToSegment(at(v), at(ends[0]), at(ends[1])) <=
+		                                kWider * near);
+	};
 	for (std::uint32_t v = 0; v < n; ++v) {
-		isCandidate_[v] = isCandidate_[v] != 0 && isCopied[v] == 0 && kept_.vertices[v] == 0;
+		const std::uint8_t marks = isCandidate_[v];
+		isCandidate_[v] =
+		    (marks & kShort) != 0 || ((marks & kOfSeveral) != 0 && mayBeStraight(v)) ? 1 : 0;
+	}
+	for (std::uint32_t v = 0; v < n; ++v) {
+		if (placeOf(v) != v) {
+			isCandidate_[v] = isCandidate_[placeOf(v)] = 0;
+		}
+		if (kept_.vertices[v] != 0) {
+			isCandidate_[v] = 0;
+		}
+	}
+	for (std::uint32_t v = 0; v < n; ++v) {
 		if (isCandidate_[v] != 0) {
 			candidates_.push_back(v);
 		}
@@ -580,6 +624,9 @@ void RegionMerger::write(MergedFaces& out) const {
 Status RegionMerger::run(MergedFaces& out) {
 	constexpr std::size_t kPoll = 1 << 10;
 	listCandidates();
+	if (candidates_.empty()) {
+		return {};
+	}
 	collectFaces();
 	std::vector<std::uint32_t> round = std::move(candidates_);
 	Status status;
@@ -594,10 +641,10 @@ Status RegionMerger::run(MergedFaces& out) {
 		sortUnique(again_);
 		round = again_;
 	}
-	if (status.ok()) {
-		status = flipRegions({surface_, regions_, isTouched_, kept_.faces}, isAlive_, monitor_,
-		                     faces_);
+	if (!status.ok() || gone_.empty()) {
+		return status;
 	}
+	status = flipRegions({surface_, regions_, isTouched_, kept_.faces}, isAlive_, monitor_, faces_);
 	write(out);
 	return status;
 }

@@ -26,7 +26,8 @@ struct KeptParts {
 	std::vector<std::uint8_t> faces;
 };
 
-// The surface afterwards: the faces that stay in their order, then the others.
+// The surface afterwards: the faces that stay in their order, then the others. If no vertex has
+// gone there is nothing in it.
 struct MergedFaces {
 	IndexTriangles triangles;           // of the same points
 	std::vector<std::uint32_t> origin;  // per face: one of the surface that it is or stands for

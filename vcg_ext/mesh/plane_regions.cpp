@@ -89,7 +89,7 @@ private:
 	bool isNear(const NearPlane& plane, std::uint32_t vertex) const {
 		return std::fabs(plane.height(surface_.points[vertex])) <= reach_;
 	}
-	bool isNearFace(std::uint32_t face, std::uint32_t other) const;
+	bool isNearApex(std::uint32_t face, std::uint32_t other) const;
 	bool fits(const NearPlane& plane, std::uint32_t face) const;
 	void grow(std::uint32_t seed, const NearPlane& plane, std::vector<std::uint32_t>& region);
 	NearPlane fit(std::vector<std::uint32_t>& region) const;
@@ -100,7 +100,7 @@ private:
 	int threads_;
 	Monitor& monitor_;
 	PlaneRegions& out_;
-	HugeVector<IndexTriangle> neighbours_;  // per face, across the edge from corner i on
+	HugeVector<Point> normals_;             // per face, twice its area long
 	HugeVector<std::uint8_t> isCandidate_;  // per face: it or a neighbour is near the other's plane
 	std::vector<std::uint32_t> seeds_;      // largest first
 	std::vector<std::uint32_t> rank_;       // per face, among the seeds
@@ -110,7 +110,7 @@ private:
 
 Status RegionGrower::findNeighbours() {
 	const IndexTriangles& triangles = surface_.triangles;
-	neighbours_.assign(triangles.size(), {kNoFace, kNoFace, kNoFace});
+	out_.neighbours.assign(triangles.size(), {kNoFace, kNoFace, kNoFace});
 	EdgeBuckets edges;
 	const auto visitHalfEdges = [&](std::size_t f, const auto& visit) {
 		const IndexTriangle& t = triangles[f];
@@ -124,8 +124,8 @@ Status RegionGrower::findNeighbours() {
 			const IndexTriangle &s = triangles[first[0].face], &t = triangles[first[1].face];
 			if (s[first[0].corner] == t[(first[1].corner + 1) % 3] &&
 			    t[first[1].corner] == s[(first[0].corner + 1) % 3]) {
-				neighbours_[first[0].face][first[0].corner] = first[1].face;
-				neighbours_[first[1].face][first[1].corner] = first[0].face;
+				out_.neighbours[first[0].face][first[0].corner] = first[1].face;
+				out_.neighbours[first[1].face][first[1].corner] = first[0].face;
 			}
 		}
 	};
@@ -136,31 +136,41 @@ Status RegionGrower::findNeighbours() {
 	    [&] { return edges.forEachEdge(threads_, monitor_, join); });
 }
 
-// Whether all corners of one face are near the plane of another. Twice the reach: the plane that is
-// fitted in the end may lie between.
-bool RegionGrower::isNearFace(std::uint32_t face, std::uint32_t other) const {
-	const NearPlane plane = planeOfFace(surface_.points, surface_.triangles[other]);
+// Whether all corners of one face are near the plane of another one that it is joined to: those
+// that it does not have are. Twice the reach: the plane that is fitted in the end may lie between.
+bool RegionGrower::isNearApex(std::uint32_t face, std::uint32_t other) const {
+	const Point& normal = normals_[other];
+	const Point& origin = surface_.points[surface_.triangles[other][0]];
+	const double length = std::sqrt(squared(normal));
 	const IndexTriangle& t = surface_.triangles[face];
-	return plane.front != 0 && std::all_of(t.begin(), t.end(), [&](std::uint32_t v) {
-		       return std::fabs(plane.height(surface_.points[v])) <= 2 * reach_;
-	       });
+	return std::all_of(t.begin(), t.end(), [&](std::uint32_t v) {
+		const Point d = minus(surface_.points[v], origin);
+		const double height = normal[0] * d[0] + normal[1] * d[1] + normal[2] * d[2];
+		return std::fabs(height) <= 2 * reach_ * length;
+	});
 }
 
 Status RegionGrower::findCandidates() {
-	isCandidate_.assign(surface_.triangles.size(), 0);
-	return parallelFor(isCandidate_.size(), kGrain, threads_, monitor_,
-	                   [&](std::size_t begin, std::size_t end) {
-		                   for (std::size_t f = begin; f < end; ++f) {
-			                   const auto face = static_cast<std::uint32_t>(f);
-			                   const auto isNearOther = [&](std::uint32_t other) {
-				                   return other != kNoFace &&
-				                          (isNearFace(face, other) || isNearFace(other, face));
-			                   };
-			                   const IndexTriangle& others = neighbours_[f];
-			                   isCandidate_[f] =
-			                       std::any_of(others.begin(), others.end(), isNearOther) ? 1 : 0;
-		                   }
-	                   });
+	const std::size_t n = surface_.triangles.size();
+	normals_.resizeForOverwrite(n);
+	isCandidate_.assign(n, 0);
+	const auto findNormals = [&](std::size_t begin, std::size_t end) {
+		for (std::size_t f = begin; f < end; ++f) {
+			normals_[f] = SortedFace(surface_.points, surface_.triangles[f]).normal;
+		}
+	};
+	const auto find = [&](std::size_t begin, std::size_t end) {
+		for (std::size_t f = begin; f < end; ++f) {
+			const auto face = static_cast<std::uint32_t>(f);
+			const IndexTriangle& others = out_.neighbours[f];
+			const auto isNearOther = [&](std::uint32_t other) {
+				return other != kNoFace && (isNearApex(face, other) || isNearApex(other, face));
+			};
+			isCandidate_[f] = std::any_of(others.begin(), others.end(), isNearOther) ? 1 : 0;
+		}
+	};
+	return inOrder([&] { return parallelFor(n, kGrain, threads_, monitor_, findNormals); },
+	               [&] { return parallelFor(n, kGrain, threads_, monitor_, find); });
 }
 
 void RegionGrower::sortSeeds() {
@@ -173,7 +183,7 @@ void RegionGrower::sortSeeds() {
 	for (std::uint32_t f = 0; f < isCandidate_.size(); ++f) {
 		if (isCandidate_[f] != 0) {
 			const SortedFace sorted(surface_.points, surface_.triangles[f]);
-			seeds.push_back({squared(sorted.normal), sorted.corners, f});
+			seeds.push_back({squared(normals_[f]), sorted.corners, f});
 		}
 	}
 	std::sort(seeds.begin(), seeds.end(), [](const Seed& a, const Seed& b) {
@@ -205,7 +215,7 @@ void RegionGrower::grow(std::uint32_t seed, const NearPlane& plane,
 	visited_[seed] = ++growth_;
 	region.push_back(seed);
 	for (std::size_t i = 0; i < region.size(); ++i) {
-		for (const std::uint32_t next : neighbours_[region[i]]) {
+		for (const std::uint32_t next : out_.neighbours[region[i]]) {
 			if (next != kNoFace && visited_[next] != growth_ && isCandidate_[next] != 0 &&
 			    out_.ofFace[next] == kNone && fits(plane, next)) {
 				visited_[next] = growth_;
@@ -221,9 +231,8 @@ NearPlane RegionGrower::fit(std::vector<std::uint32_t>& region) const {
 	          [this](std::uint32_t a, std::uint32_t b) { return rank_[a] < rank_[b]; });
 	Point sum{};
 	for (const std::uint32_t face : region) {
-		const SortedFace sorted(surface_.points, surface_.triangles[face]);
 		for (std::size_t i = 0; i < 3; ++i) {
-			sum[i] += sorted.normal[i];
+			sum[i] += normals_[face][i];
 		}
 	}
 	NearPlane plane =

@@ -41,6 +41,9 @@ struct ClassedSurface {
 struct PlaneRegions {
 	std::vector<NearPlane> planes;      // of the regions of several faces
 	std::vector<std::uint32_t> ofFace;  // a number of theirs, or planes.size() + the face
+	// Per face, across the edge from corner i on: the face of its class that it is joined to there,
+	// none other having that edge; else kNone.
+	HugeVector<IndexTriangle> neighbours;
 
 	bool isSingle(std::uint32_t region) const { return region >= planes.size(); }
 };

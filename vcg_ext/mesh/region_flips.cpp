@@ -50,17 +50,19 @@ private:
 
 	bool isWanted(std::uint32_t face) const;
 	bool turnsAsRegion(std::uint32_t face) const;
+	void markNear();
 	std::vector<HalfEdge> sides() const;
-	void listFreeEdges();
+	void listFreeEdges(const std::vector<HalfEdge>& sides);
 	void flip(const RegionEdge* first, const RegionEdge* last);
-	std::vector<Edge> sharedEdges() const;
+	static std::vector<Edge> sharedEdges(const std::vector<HalfEdge>& sides);
 	std::vector<std::uint32_t> regionsAt(const std::vector<Edge>& shared) const;
 
 	const RegionFlips& flips_;
 	const std::vector<std::uint8_t>& isAlive_;
 	Monitor& monitor_;
 	std::vector<RegionFace>& faces_;
-	std::vector<RegionEdge> edges_;  // by region
+	std::vector<std::uint8_t> isNear_;  // per vertex: a face of a wanted region has its place
+	std::vector<RegionEdge> edges_;     // by region
 	DelaunayFlips delaunay_;
 };
 
@@ -79,21 +81,36 @@ bool RegionFlipper::turnsAsRegion(std::uint32_t face) const {
 	       0;
 }
 
+void RegionFlipper::markNear() {
+	isNear_.assign(flips_.surface.points.size(), 0);
+	for (std::uint32_t f = 0; f < faces_.size(); ++f) {
+		if (isAlive_[f] != 0 && isWanted(f)) {
+			for (const std::uint32_t v : faces_[f].corners) {
+				isNear_[flips_.surface.place[v]] = 1;
+			}
+		}
+	}
+}
+
+// The sides of all faces between corners of wanted regions, by edge.
 std::vector<HalfEdge> RegionFlipper::sides() const {
 	const std::vector<std::uint32_t>& place = flips_.surface.place;
 	std::vector<HalfEdge> sides;
 	for (std::size_t f = 0; f < faces_.size(); ++f) {
 		const IndexTriangle& t = faces_[f].corners;
 		for (std::size_t i = 0; isAlive_[f] != 0 && i < 3; ++i) {
-			sides.push_back(makeHalfEdge(place[t[i]], place[t[(i + 1) % 3]], f, i));
+			const std::uint32_t from = place[t[i]], to = place[t[(i + 1) % 3]];
+			if (isNear_[from] != 0 && isNear_[to] != 0) {
+				sides.push_back(makeHalfEdge(from, to, f, i));
+			}
 		}
 	}
 	std::sort(sides.begin(), sides.end());
 	return sides;
 }
 
-void RegionFlipper::listFreeEdges() {
-	forEachSortedManifoldEdge(sides(), [&](const HalfEdge& h, const HalfEdge& g) {
+void RegionFlipper::listFreeEdges(const std::vector<HalfEdge>& sides) {
+	forEachSortedManifoldEdge(sides, [&](const HalfEdge& h, const HalfEdge& g) {
 		const IndexTriangle &s = faces_[h.face].corners, &t = faces_[g.face].corners;
 		const bool isJoined =
 		    s[h.corner] == t[(g.corner + 1) % 3] && t[g.corner] == s[(h.corner + 1) % 3];
@@ -184,10 +201,9 @@ void RegionFlipper::flip(const RegionEdge* first, const RegionEdge* last) {
 }
 
 // The edges that more than two faces have.
-std::vector<RegionFlipper::Edge> RegionFlipper::sharedEdges() const {
+std::vector<RegionFlipper::Edge> RegionFlipper::sharedEdges(const std::vector<HalfEdge>& sides) {
 	std::vector<Edge> shared;
-	const std::vector<HalfEdge> all = sides();
-	forEachSortedEdge(all.begin(), all.end(), [&](auto first, auto last) {
+	forEachSortedEdge(sides.begin(), sides.end(), [&](auto first, auto last) {
 		if (last - first > 2) {
 			shared.push_back({first->low, first->high});
 		}
@@ -214,11 +230,13 @@ std::vector<std::uint32_t> RegionFlipper::regionsAt(const std::vector<Edge>& sha
 }
 
 Status RegionFlipper::run() {
-	listFreeEdges();
+	markNear();
+	const std::vector<HalfEdge> before = sides();
+	listFreeEdges(before);
 	if (edges_.empty()) {
 		return {};
 	}
-	const std::vector<Edge> shared = sharedEdges();
+	const std::vector<Edge> shared = sharedEdges(before);
 	const std::vector<RegionFace> unflipped = faces_;
 	forEachGroup(
 	    edges_.data(), edges_.data() + edges_.size(),
