@@ -1,15 +1,18 @@
 // SPDX-FileCopyrightText: 2026 The Index Boolean authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// All is merged at once, then the new faces are searched. Where one meets another wrongly, it is
-// done once more from the beginning: with the vertices that went near these faces kept; then with
-// their regions left as they are. What is kept only grows, so it ends; nearly always nothing is.
+// All is merged at once, then the new faces are searched, and what has gone is measured. Where a
+// face meets another wrongly, or something is too far, all is done once more from the beginning:
+// with the vertices kept that went near these faces, or too far; at last with the regions of these
+// faces left as they are. What is kept only grows; nearly always nothing is.
 #include "vcg_ext/arrange/merge_near_coplanar.h"
 
 #include "vcg_ext/arrange/wrong_pairs.h"
 #include "vcg_ext/base/parallel.h"
 #include "vcg_ext/base/sorted_list.h"
 #include "vcg_ext/exact/box_tree.h"
+#include "vcg_ext/exact/exact_sign.h"
+#include "vcg_ext/mesh/face_probe.h"
 #include "vcg_ext/mesh/merge_regions.h"
 #include "vcg_ext/mesh/vertex_table.h"
 
@@ -21,35 +24,9 @@ namespace index_boolean {
 namespace {
 
 constexpr double kReach = 0.4, kAside = 0.4;  // of the tolerance
+constexpr double kMost = 0.9;                 // what a vertex may be away
+constexpr double kSliver = 0.5;               // what the longest side of a sliver may be away
 constexpr int kMostRounds = 16;
-
-double dot(const Point& a, const Point& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-
-Point minus(const Point& a, const Point& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
-
-double distanceToSegment(const Point& p, const Point& a, const Point& b) {
-	const Point along = minus(b, a), to = minus(p, a);
-	const double length = dot(along, along);
-	const double t = length > 0 ? std::clamp(dot(to, along) / length, 0.0, 1.0) : 0;
-	const Point off{to[0] - t * along[0], to[1] - t * along[1], to[2] - t * along[2]};
-	return std::sqrt(dot(off, off));
-}
-
-// How far a point is from a triangle.
-double distanceToFace(const Point& p, const std::array<Point, 3>& t) {
-	const Point u = minus(t[1], t[0]), v = minus(t[2], t[0]), w = minus(p, t[0]);
-	const double uu = dot(u, u), uv = dot(u, v), vv = dot(v, v), uw = dot(u, w), vw = dot(v, w);
-	const double size = uu * vv - uv * uv;
-	const double s = uw * vv - vw * uv, r = vw * uu - uw * uv;
-	double least = std::min({distanceToSegment(p, t[0], t[1]), distanceToSegment(p, t[1], t[2]),
-	                         distanceToSegment(p, t[2], t[0])});
-	if (size > 0 && s >= 0 && r >= 0 && s + r <= size) {
-		const Point n{u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2],
-		              u[0] * v[1] - u[1] * v[0]};
-		least = std::min(least, std::fabs(dot(n, w)) / std::sqrt(dot(n, n)));
-	}
-	return least;
-}
 
 class NearCoplanarMerger {
 public:
@@ -65,8 +42,10 @@ private:
 	void keepWrongFaces();
 	Status search(const MergedFaces& merged, std::vector<std::uint32_t>& wrong) const;
 	bool keepNear(const MergedFaces& merged, const std::vector<std::uint32_t>& wrong);
-	bool keepRegions(const MergedFaces& merged, const std::vector<std::uint32_t>& wrong);
-	double largestMove(const MergedFaces& merged) const;
+	void keepRegions(const MergedFaces& merged, const std::vector<std::uint32_t>& wrong);
+	FaceProbe probeOf(const MergedFaces& merged) const;
+	bool isSliver(std::uint32_t face) const;
+	bool keepFar(const MergedFaces& merged);
 	BoundingBox boxOf(const IndexTriangle& t) const;
 
 	const NearCoplanarInput& input_;
@@ -158,47 +137,88 @@ bool NearCoplanarMerger::keepNear(const MergedFaces& merged,
 	return isAny;
 }
 
-// Leaves the regions of wrong faces as they are. \return whether that is new for any
-bool NearCoplanarMerger::keepRegions(const MergedFaces& merged,
+// Leaves the regions of wrong faces as they are.
+void NearCoplanarMerger::keepRegions(const MergedFaces& merged,
                                      const std::vector<std::uint32_t>& wrong) {
 	std::vector<std::uint32_t> regions;
 	for (const std::uint32_t face : wrong) {
 		regions.push_back(merged.region[face]);
 	}
 	sortUnique(regions);
-	bool isAny = false;
 	for (std::uint32_t f = 0; f < input_.triangles.size(); ++f) {
 		if (std::binary_search(regions.begin(), regions.end(), regions_.ofFace[f])) {
-			isAny = isAny || kept_.faces[f] == 0;
 			keepFace(f);
 		}
 	}
-	return isAny;
 }
 
-double NearCoplanarMerger::largestMove(const MergedFaces& merged) const {
-	std::vector<BoundingBox> boxes;
-	for (std::size_t f = merged.firstNew; f < merged.triangles.size(); ++f) {
-		boxes.push_back(boxOf(merged.triangles[f]));
+// The faces that may be near what has gone: all with a corner of a face that has.
+FaceProbe NearCoplanarMerger::probeOf(const MergedFaces& merged) const {
+	std::vector<std::uint8_t> isNear(input_.points.size(), 0);
+	std::vector<std::uint8_t> isGone(input_.triangles.size(), 1);
+	for (std::size_t f = 0; f < merged.firstNew; ++f) {
+		isGone[merged.origin[f]] = 0;
 	}
-	const BoxTree tree(boxes);
+	for (std::size_t f = 0; f < isGone.size(); ++f) {
+		for (std::size_t i = 0; isGone[f] != 0 && i < 3; ++i) {
+			isNear[place_[input_.triangles[f][i]]] = 1;
+		}
+	}
+	std::vector<IndexTriangle> faces;
+	for (const IndexTriangle& t : merged.triangles) {
+		if (isNear[place_[t[0]]] != 0 || isNear[place_[t[1]]] != 0 || isNear[place_[t[2]]] != 0) {
+			faces.push_back(t);
+		}
+	}
+	return FaceProbe(input_.points, std::move(faces), input_.tolerance);
+}
+
+// Whether a face of a region may be turned anyhow as seen along its plane's axis.
+bool NearCoplanarMerger::isSliver(std::uint32_t face) const {
+	const std::uint32_t region = regions_.ofFace[face];
+	return !regions_.isSingle(region) &&
+	       sizeOfFace(input_.points, input_.triangles[face]).leastHeight <=
+	           kReach * input_.tolerance;
+}
+
+// Keeps what has come to be too far from the surface that is left: vertices, and slivers, which may
+// have stood out from their region. \return whether there is any such; else out_ says how far
+bool NearCoplanarMerger::keepFar(const MergedFaces& merged) {
+	const FaceProbe probe = probeOf(merged);
+	bool isAny = false;
 	double most = 0;
+	std::vector<std::uint8_t> isGone(input_.points.size(), 0);
 	for (const std::uint32_t v : merged.gone) {
-		const Point& p = input_.points[v];
-		double least = input_.tolerance;
-		tree.visit(
-		    0,
-		    [&](const BoundingBox& box) {
-			    return !commonBox(box, BoundingBox{p, p}).empty() && least > most;
-		    },
-		    [&](std::uint32_t i) {
-			    const IndexTriangle& t = merged.triangles[merged.firstNew + i];
-			    least = std::min(least, distanceToFace(p, {input_.points[t[0]], input_.points[t[1]],
-			                                               input_.points[t[2]]}));
-		    });
-		most = std::max(most, least);
+		const double distance = probe.distanceTo(input_.points[v]);
+		isGone[v] = 1;
+		most = std::max(most, distance);
+		if (!(distance <= kMost * input_.tolerance)) {
+			kept_.vertices[v] = 1;
+			isAny = true;
+		}
 	}
-	return most;
+	for (std::uint32_t f = 0; f < input_.triangles.size(); ++f) {
+		const IndexTriangle& t = input_.triangles[f];
+		if ((isGone[t[0]] | isGone[t[1]] | isGone[t[2]]) == 0 || !isSliver(f)) {
+			continue;
+		}
+		const auto lengthFrom = [&](std::size_t i) {
+			const Point &a = input_.points[t[i]], &b = input_.points[t[(i + 1) % 3]];
+			return std::hypot(b[0] - a[0], b[1] - a[1], b[2] - a[2]);
+		};
+		const std::size_t i = lengthFrom(0) >= lengthFrom(1) ? (lengthFrom(0) >= lengthFrom(2) ? 0 : 2)
+		                      : lengthFrom(1) >= lengthFrom(2) ? 1
+		                                                       : 2;
+		if (!probe.isSegmentWithin(input_.points[t[i]], input_.points[t[(i + 1) % 3]],
+		                           kSliver * input_.tolerance)) {
+			for (const std::uint32_t v : t) {
+				isAny = isAny || kept_.vertices[v] == 0;
+				kept_.vertices[v] = 1;
+			}
+		}
+	}
+	out_.largestMove = most;
+	return isAny;
 }
 
 Status NearCoplanarMerger::run() {
@@ -216,18 +236,17 @@ Status NearCoplanarMerger::run() {
 		status = inOrder(
 		    [&] { return mergeRegions(surface_, regions_, limits, kept_, monitor_, merged); },
 		    [&] { return merged.gone.empty() ? Status{} : search(merged, wrong); });
-		const bool isDone = !status.ok() || merged.gone.empty() || wrong.empty();
-		const bool goesOn = !isDone && round < kMostRounds &&
-		                    ((round < kMostRounds / 4 && keepNear(merged, wrong)) ||
-		                     keepRegions(merged, wrong));
-		if (!goesOn) {
+		if (!status.ok() || merged.gone.empty() || round == kMostRounds) {
+			return status;
+		}
+		const bool isFar = keepFar(merged);
+		if (wrong.empty() && !isFar) {
 			break;
 		}
+		if (!wrong.empty() && (round >= kMostRounds / 4 || !keepNear(merged, wrong))) {
+			keepRegions(merged, wrong);
+		}
 	}
-	if (!status.ok() || merged.gone.empty() || !wrong.empty()) {
-		return status;
-	}
-	out_.largestMove = largestMove(merged);
 	out_.firstNew = merged.firstNew;
 	out_.triangles = std::move(merged.triangles);
 	out_.origin = std::move(merged.origin);

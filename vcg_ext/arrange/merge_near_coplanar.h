@@ -13,8 +13,10 @@
 // is how far what goes from between regions may be from the edge that stands for it. Old and new
 // faces of a region lie in its slab and have one outline as seen along its normal, but for what
 // edges have moved it aside: so a point of one has one of the other above or below it, within the
-// slab, or one at an edge, aside too; sqrt(0.8^2 + 0.4^2) < 0.9, and the rest is for slivers, which
-// may be turned anyhow. All is measured from the surface as it is given: nothing drifts.
+// slab, or one at an edge, aside too; sqrt(0.8^2 + 0.4^2) < 0.9, and the rest is for roundings.
+// Slivers lower than 0.4 of it may be turned anyhow, and so stand out from their region: of each
+// that goes the longest side must be within half of the tolerance of what is left, and each vertex
+// that goes within 0.9 of it. All is measured from the surface as it is given: nothing drifts.
 // Why not edge by edge, with a quadric or a running bound: bounds that add up forbid in the end
 // what the surface allows, and depend on the order.
 #pragma once
@@ -38,7 +40,7 @@ struct NearCoplanarMerge {
 	IndexTriangles triangles;
 	std::vector<std::uint32_t> origin;  // per face: one of the surface that it is or stands for
 	std::vector<std::uint32_t> gone;    // vertices, ascending
-	double largestMove = 0;             // of one of these, from the surface that is left
+	double largestMove = 0;             // of one of these, to the surface that is left
 	std::size_t firstNew = 0;           // faces from here on are new
 
 	bool any() const { return !gone.empty(); }
