@@ -57,12 +57,17 @@ private:
 	KeptParts kept_;
 };
 
+// Of vertices that faces use.
 void NearCoplanarMerger::findPlaces() {
 	const std::size_t n = input_.points.size();
+	std::vector<std::uint8_t> isUsed(n, 0);
+	for (const IndexTriangle& t : input_.triangles) {
+		isUsed[t[0]] = isUsed[t[1]] = isUsed[t[2]] = 1;
+	}
 	VertexTable table(input_.points, n);
 	place_.reserve(n);
 	for (std::uint32_t v = 0; v < n; ++v) {
-		place_.push_back(table.findOrAdd(v));
+		place_.push_back(isUsed[v] != 0 ? table.findOrAdd(v) : v);
 	}
 }
 

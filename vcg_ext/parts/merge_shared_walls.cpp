@@ -10,6 +10,7 @@
 #include "vcg_ext/arrange/merge_near_coplanar.h"
 #include "vcg_ext/arrange/places.h"
 #include "vcg_ext/arrange/stored_operands.h"
+#include "vcg_ext/base/union_find.h"
 
 #include <map>
 
@@ -24,6 +25,30 @@ struct StoredSheets {
 	IndexTriangles triangles;
 	std::vector<std::uint32_t> face;  // of the complex, per triangle; ascending
 };
+
+// Vertices that an edge joins and rounding has put in one place become one, and triangles with two
+// such corners go: what they parted is joined.
+void weldShortEdges(StoredSheets& sheets) {
+	UnionFind sets(sheets.points.size());
+	for (const IndexTriangle& t : sheets.triangles) {
+		for (std::size_t i = 0; i < 3; ++i) {
+			if (sheets.points[t[i]] == sheets.points[t[(i + 1) % 3]]) {
+				sets.unite(t[i], t[(i + 1) % 3]);
+			}
+		}
+	}
+	std::size_t kept = 0;
+	for (std::size_t f = 0; f < sheets.triangles.size(); ++f) {
+		IndexTriangle t = sheets.triangles[f];
+		t = {sets.find(t[0]), sets.find(t[1]), sets.find(t[2])};
+		if (t[0] != t[1] && t[1] != t[2] && t[2] != t[0]) {
+			sheets.triangles[kept] = t;
+			sheets.face[kept++] = sheets.face[f];
+		}
+	}
+	sheets.triangles.resize(kept);
+	sheets.face.resize(kept);
+}
 
 StoredSheets sheetsOf(const Arrangement& stored, const SubSurfaces& surfaces) {
 	StoredSheets sheets;
@@ -56,6 +81,7 @@ StoredSheets sheetsOf(const Arrangement& stored, const SubSurfaces& surfaces) {
 	for (const Triangle& t : corners) {
 		sheets.triangles.push_back({numbers[t[0].value], numbers[t[1].value], numbers[t[2].value]});
 	}
+	weldShortEdges(sheets);
 	return sheets;
 }
 
