@@ -67,8 +67,7 @@ void addCertificateMessages(const BlocksResult& result, const std::vector<std::s
                             OutputScalar scalar, std::vector<std::string>& messages) {
 	for (std::size_t i = 0; i < result.blocks.size(); ++i) {
 		if (result.blocks[i].wallMerge.vertices > 0) {
-			messages.push_back(
-			    mergedMessage("\"" + labels[i] + "\"", result.blocks[i].wallMerge));
+			messages.push_back(mergedMessage("\"" + labels[i] + "\"", result.blocks[i].wallMerge));
 		}
 		const std::size_t faces = result.blocks[i].certificate.faces.size();
 		if (faces > 0) {

@@ -31,8 +31,8 @@ constexpr int kMostRounds = 16;
 class NearCoplanarMerger {
 public:
 	NearCoplanarMerger(const NearCoplanarInput& input, Monitor& monitor, NearCoplanarMerge& out)
-	    : input_(input), monitor_(monitor), out_(out),
-	      surface_{input.points, input.triangles, input.faceClass, place_} {}
+	    : input_(input), monitor_(monitor),
+	      out_(out), surface_{input.points, input.triangles, input.faceClass, place_} {}
 
 	Status run();
 
@@ -211,7 +211,8 @@ bool NearCoplanarMerger::keepFar(const MergedFaces& merged) {
 			const Point &a = input_.points[t[i]], &b = input_.points[t[(i + 1) % 3]];
 			return std::hypot(b[0] - a[0], b[1] - a[1], b[2] - a[2]);
 		};
-		const std::size_t i = lengthFrom(0) >= lengthFrom(1) ? (lengthFrom(0) >= lengthFrom(2) ? 0 : 2)
+		const std::size_t i = lengthFrom(0) >= lengthFrom(1)
+		                          ? (lengthFrom(0) >= lengthFrom(2) ? 0 : 2)
 		                      : lengthFrom(1) >= lengthFrom(2) ? 1
 		                                                       : 2;
 		if (!probe.isSegmentWithin(input_.points[t[i]], input_.points[t[(i + 1) % 3]],
@@ -228,8 +229,8 @@ bool NearCoplanarMerger::keepFar(const MergedFaces& merged) {
 
 Status NearCoplanarMerger::run() {
 	findPlaces();
-	Status status = findPlaneRegions(surface_, kReach * input_.tolerance, input_.threads, monitor_,
-	                                 regions_);
+	Status status =
+	    findPlaneRegions(surface_, kReach * input_.tolerance, input_.threads, monitor_, regions_);
 	if (!status.ok()) {
 		return status;
 	}

@@ -31,7 +31,9 @@ private:
 		return polygon_.front * orient2d(polygon_.corners[i], polygon_.corners[j],
 		                                 polygon_.corners[k], polygon_.axis);
 	}
-	std::size_t before(std::size_t at) const { return ring_[(at + ring_.size() - 1) % ring_.size()]; }
+	std::size_t before(std::size_t at) const {
+		return ring_[(at + ring_.size() - 1) % ring_.size()];
+	}
 	std::size_t after(std::size_t at) const { return ring_[(at + 1) % ring_.size()]; }
 	bool isEar(std::size_t at) const;
 

@@ -63,7 +63,10 @@ std::array<Point, 3> FaceProbe::cornersOf(std::uint32_t face) const {
 template <class Visit>
 void FaceProbe::visitNear(const Point& p, Visit&& visit) const {
 	tree_.visit(
-	    0, [&](const BoundingBox& box) { return !commonBox(box, BoundingBox{p, p}).empty(); },
+	    0,
+	    [&](const BoundingBox& box) {
+		    return !commonBox(box, BoundingBox{p, p}).empty();
+	    },
 	    visit);
 }
 
@@ -79,8 +82,7 @@ bool FaceProbe::isWithin(const Point& a, const Point& b, double length, int dept
 	bool isOne = false;
 	visitNear(a, [&](std::uint32_t face) {
 		const std::array<Point, 3> t = cornersOf(face);
-		isOne = isOne ||
-		        (distanceToTriangle(a, t) <= length && distanceToTriangle(b, t) <= length);
+		isOne = isOne || (distanceToTriangle(a, t) <= length && distanceToTriangle(b, t) <= length);
 	});
 	if (isOne || depth == 0) {
 		return isOne;

@@ -12,13 +12,13 @@
 
 namespace index_boolean {
 
-// How far a point is from a triangle. O(1).
+// How far a point is from a triangle. Complexity: O(1).
 double distanceToTriangle(const Point& p, const std::array<Point, 3>& t);
 
 class FaceProbe {
 public:
-	// \param points borrowed \param faces of these \param reach the greatest length that is asked for
-	// Throws std::bad_alloc. Complexity: O(n log n).
+	// \param points borrowed \param faces of these \param reach the greatest length that is asked
+	// for Throws std::bad_alloc. Complexity: O(n log n).
 	FaceProbe(const Points& points, std::vector<IndexTriangle> faces, double reach);
 
 	// How far a point is from the nearest face; infinite if that is beyond reach.

@@ -15,11 +15,11 @@
 // from their sides, and have no area or a wrong sign along the axis. Only the faces that fill a
 // polygon must turn its way; where they all do, the polygon is seen to be simple.
 //
-// Why closed stays closed, and as it hangs together: it is the contraction of the edge v u and flips
-// within regions. Sides are counted on each edge of the new faces: an edge opposite v has as many
-// as before, a cut two and none elsewhere, an edge from u as many as that from v had. (A run that
-// is one face with u in it vanishes; the face beyond takes its side.) No new face lies on the three
-// corners of another.
+// Why closed stays closed, and as it hangs together: it is the contraction of the edge v u and
+// flips within regions. Sides are counted on each edge of the new faces: an edge opposite v has as
+// many as before, a cut two and none elsewhere, an edge from u as many as that from v had. (A run
+// that is one face with u in it vanishes; the face beyond takes its side.) No new face lies on the
+// three corners of another.
 //
 // Why nothing drifts: regions, planes and corners are those of the surface as it was, and what has
 // gone beside an edge is remembered with the edge that replaces it, and measured again whenever
@@ -98,7 +98,8 @@ public:
 
 private:
 	using Edge = std::array<std::uint32_t, 2>;
-	static constexpr std::uint8_t kShort = 1, kOfSeveral = 2;  // of candidates, while they are listed
+	static constexpr std::uint8_t kShort = 1,
+	                              kOfSeveral = 2;  // of candidates, while they are listed
 
 	std::uint32_t placeOf(std::uint32_t v) const { return surface_.place[v]; }
 	const Point& at(std::uint32_t v) const { return surface_.points[v]; }
@@ -145,8 +146,8 @@ private:
 	std::vector<std::uint8_t> isCandidate_;  // per vertex
 	std::vector<std::uint8_t> isNear_;       // per vertex: a face of a candidate has it
 	std::vector<RegionFace> faces_;
-	std::vector<std::uint8_t> isAlive_;               // per face of these
-	std::vector<std::vector<std::uint32_t>> lists_;   // per place, of them, dead ones too
+	std::vector<std::uint8_t> isAlive_;              // per face of these
+	std::vector<std::vector<std::uint32_t>> lists_;  // per place, of them, dead ones too
 	std::unordered_map<std::uint64_t, std::vector<std::uint32_t>> beside_;  // what went, by edge
 	std::vector<std::uint8_t> isTouched_;  // per region of several faces: it has new faces
 	std::vector<std::uint32_t> gone_, again_;
@@ -203,8 +204,8 @@ void RegionMerger::listCandidates() {
 		constexpr double kWider = 16;  // the square of how much farther it may be now
 		const auto& ends = borders.at(v);
 		return !borders.areMany(v) &&
-		       (ends[1] == kNone || squaredDistanceToSegment(at(v), at(ends[0]), at(ends[1])) <=
-		                                kWider * near);
+		       (ends[1] == kNone ||
+		        squaredDistanceToSegment(at(v), at(ends[0]), at(ends[1])) <= kWider * near);
 	};
 	for (std::uint32_t v = 0; v < n; ++v) {
 		const std::uint8_t marks = isCandidate_[v];
@@ -289,8 +290,9 @@ bool RegionMerger::listSectors(std::uint32_t v, std::vector<Sector>& sectors) {
 		sectors.push_back({t[(i + 1) % 3], t[(i + 2) % 3], f});
 	}
 	std::sort(sectors.begin(), sectors.end(), [this](const Sector& a, const Sector& b) {
-		return a.from != b.from ? at(a.from) < at(b.from) || (at(a.from) == at(b.from) && a.from < b.from)
-		                        : at(a.to) < at(b.to);
+		return a.from != b.from
+		           ? at(a.from) < at(b.from) || (at(a.from) == at(b.from) && a.from < b.from)
+		           : at(a.to) < at(b.to);
 	});
 	return sectors.size() >= 1 && sectors.size() <= kMostFacesAtVertex;
 }
@@ -433,7 +435,8 @@ bool RegionMerger::makeChange(const std::vector<Run>& runs, std::uint32_t target
 // How many faces have an edge, but for those at a vertex.
 std::size_t RegionMerger::outsideFacesAt(const Edge& edge, std::uint32_t v) {
 	const bool firstIsShorter = lists_[edge[0]].size() < lists_[edge[1]].size();
-	const std::uint32_t shorter = edge[firstIsShorter ? 0 : 1], other = edge[firstIsShorter ? 1 : 0];
+	const std::uint32_t shorter = edge[firstIsShorter ? 0 : 1],
+	                    other = edge[firstIsShorter ? 1 : 0];
 	std::size_t count = 0;
 	for (const std::uint32_t f : lists_[shorter]) {
 		const IndexTriangle& t = faces_[f].corners;
@@ -509,9 +512,8 @@ bool RegionMerger::staysSurface(std::uint32_t v, const std::vector<Sector>& sect
 			return false;
 		}
 	}
-	return std::none_of(change.faces.begin(), change.faces.end(), [&](const RegionFace& face) {
-		return isFaceElsewhere(face.corners, v);
-	});
+	return std::none_of(change.faces.begin(), change.faces.end(),
+	                    [&](const RegionFace& face) { return isFaceElsewhere(face.corners, v); });
 }
 
 // Whether all that has gone from between regions stays beside an edge: the vertex itself, and what

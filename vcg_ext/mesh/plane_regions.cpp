@@ -235,8 +235,8 @@ NearPlane RegionGrower::fit(std::vector<std::uint32_t>& region) const {
 			sum[i] += normals_[face][i];
 		}
 	}
-	NearPlane plane =
-	    planeThrough(SortedFace(surface_.points, surface_.triangles[region.front()]).corners[0], sum);
+	NearPlane plane = planeThrough(
+	    SortedFace(surface_.points, surface_.triangles[region.front()]).corners[0], sum);
 	double low = 0, high = 0;
 	for (const std::uint32_t face : region) {
 		for (const std::uint32_t v : surface_.triangles[face]) {
@@ -278,19 +278,19 @@ Status RegionGrower::run() {
 	const std::size_t n = surface_.triangles.size();
 	out_.ofFace.assign(n, kNone);
 	visited_.assign(n, 0);
-	const Status status = inOrder([this] { return findNeighbours(); },
-	                              [this] { return findCandidates(); },
-	                              [this] {
-		                              sortSeeds();
-		                              return inOrderFor(seeds_.size(), kGrain, monitor_,
-		                                                [this](std::size_t begin, std::size_t end) {
-			                                                for (std::size_t i = begin; i < end; ++i) {
-				                                                if (out_.ofFace[seeds_[i]] == kNone) {
-					                                                growFrom(seeds_[i]);
-				                                                }
-			                                                }
-		                                                });
-	                              });
+	const Status status =
+	    inOrder([this] { return findNeighbours(); }, [this] { return findCandidates(); },
+	            [this] {
+		            sortSeeds();
+		            return inOrderFor(seeds_.size(), kGrain, monitor_,
+		                              [this](std::size_t begin, std::size_t end) {
+			                              for (std::size_t i = begin; i < end; ++i) {
+				                              if (out_.ofFace[seeds_[i]] == kNone) {
+					                              growFrom(seeds_[i]);
+				                              }
+			                              }
+		                              });
+	            });
 	for (std::uint32_t f = 0; f < n; ++f) {
 		if (out_.ofFace[f] == kNone) {
 			out_.ofFace[f] = static_cast<std::uint32_t>(out_.planes.size()) + f;

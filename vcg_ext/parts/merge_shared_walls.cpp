@@ -65,7 +65,8 @@ StoredSheets sheetsOf(const Arrangement& stored, const SubSurfaces& surfaces) {
 			sheets.face.push_back(f);
 		}
 	}
-	std::vector<std::uint32_t> numbers(stored.mesh.points.size() + stored.curve.pointCount(), kNone);
+	std::vector<std::uint32_t> numbers(stored.mesh.points.size() + stored.curve.pointCount(),
+	                                   kNone);
 	for (const Triangle& t : corners) {
 		for (const VertexId v : t) {
 			numbers[v.value] = 0;

@@ -131,13 +131,17 @@ TEST(MergeNearCoplanar, aStepBetweenTwoWallsGoes) {
 	Mesh m;
 	const double step = 1e-14;
 	for (const double y : {0.0, 1.0}) {
-		for (const Point& p : {Point{0, y, 0}, {2, y, 0}, {2, y, 1 + step}, {1, y, 1 + step},
-		                       {1, y, 1}, {0, y, 1}}) {
+		for (const Point& p : {Point{0, y, 0},
+		                       {2, y, 0},
+		                       {2, y, 1 + step},
+		                       {1, y, 1 + step},
+		                       {1, y, 1},
+		                       {0, y, 1}}) {
 			m.points.push_back(p);
 		}
 	}
-	for (const auto& [a, b, c] : std::vector<std::array<std::uint32_t, 3>>{
-	         {0, 1, 4}, {1, 2, 4}, {2, 3, 4}, {4, 5, 0}}) {
+	for (const auto& [a, b, c] :
+	     std::vector<std::array<std::uint32_t, 3>>{{0, 1, 4}, {1, 2, 4}, {2, 3, 4}, {4, 5, 0}}) {
 		m.triangles.push_back({a, b, c});
 		m.triangles.push_back({6 + a, 6 + c, 6 + b});
 	}
@@ -244,9 +248,9 @@ TEST(MergeNearCoplanar, aCancelledRunSaysSo) {
 	const std::vector<std::uint32_t> classes(cube.triangles.size(), 0);
 	Monitor monitor([](double, const char*) { return false; });
 	NearCoplanarMerge merge;
-	EXPECT_EQ(mergeNearCoplanar({cube.points, cube.triangles, classes, {}, 1e-6, 0}, monitor, merge)
-	              .code,
-	          StatusCode::Cancelled);
+	EXPECT_EQ(
+	    mergeNearCoplanar({cube.points, cube.triangles, classes, {}, 1e-6, 0}, monitor, merge).code,
+	    StatusCode::Cancelled);
 }
 
 }  // namespace index_boolean

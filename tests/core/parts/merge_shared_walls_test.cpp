@@ -130,8 +130,8 @@ TEST(MergeSharedWalls, turnedBoxesThatCutEachOther) {
 TEST(MergeSharedWalls, clipsHaveTheWallsOfThePieces) {
 	std::mt19937 random(6);
 	const Mesh cube = shaken(squaredCube(4, random), 1e-13, random);
-	const OperandsSplit r = splitAll({cube, box({0.6, -1, -1}, {3, 2, 2})}, merging(1e-11),
-	                                 {kInside, kOutside});
+	const OperandsSplit r =
+	    splitAll({cube, box({0.6, -1, -1}, {3, 2, 2})}, merging(1e-11), {kInside, kOutside});
 	expectFitting(r);
 	EXPECT_EQ(faceCounts(r.clips), (std::vector<std::size_t>{10, 10}));
 	for (const SplitMesh& clip : r.clips) {

@@ -153,7 +153,8 @@ TEST(MergeWalls, polygonsStayPolygons) {
 		std::uint8_t mask = 0;
 		for (std::size_t i = 0; i < 3; ++i) {
 			const Point &p = cube.points[t[i]], &q = cube.points[t[(i + 1) % 3]];
-			const int differ = (p[0] != q[0] ? 1 : 0) + (p[1] != q[1] ? 1 : 0) + (p[2] != q[2] ? 1 : 0);
+			const int differ =
+			    (p[0] != q[0] ? 1 : 0) + (p[1] != q[1] ? 1 : 0) + (p[2] != q[2] ? 1 : 0);
 			if (differ == 2) {
 				markFaux(mask, i);
 			}
@@ -172,7 +173,8 @@ TEST(MergeWalls, polygonsStayPolygons) {
 			const double z = cube.points[t[0]][2];
 			const bool isLevel = z == cube.points[t[1]][2] && z == cube.points[t[2]][2];
 			if (!isLevel || (z == 1) == (storey == 1)) {
-				column.triangles.push_back({t[0] + 8 * storey, t[1] + 8 * storey, t[2] + 8 * storey});
+				column.triangles.push_back(
+				    {t[0] + 8 * storey, t[1] + 8 * storey, t[2] + 8 * storey});
 				column.faux.push_back(cube.faux[f]);
 			}
 		}
