@@ -6,8 +6,9 @@
 // Guarantee: closed stays closed, a manifold a manifold, with as many components, holes and
 // handles; each new face has its front where its region's plane has it, seen along the plane's
 // axis, by exact signs; all corners of a region's faces are within reach of its plane; all vertices
-// that went from between regions are within `aside` of an edge that stands for theirs. Which
-// vertices go depends on the geometry alone. Whether faces meet wrongly afterwards is not asked.
+// that went from border edges, those between regions, are within `aside` of an edge that stands for
+// theirs. Which vertices go depends on the geometry alone. Whether faces meet wrongly afterwards is
+// not asked. Faces around a vertex are taken run by run: neighbours of one region.
 #pragma once
 
 #include "vcg_ext/mesh/plane_regions.h"
