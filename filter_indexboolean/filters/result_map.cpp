@@ -24,7 +24,6 @@ std::string keyOf(std::string stage) {
 // Of a surface that is certified as one.
 void addCertificate(const std::string& name, const SourcedMesh& mesh, const SurfaceRepair& ofMesh,
                     const PlaceRepair& repair, ResultMap& map) {
-	map[name + "_merged_vertices"] = toInt(mesh.wallMerge.vertices);
 	map[name + "_self_intersections"] = static_cast<int>(mesh.certificate.count());
 	if (mesh.certificate.isKnown) {
 		map[name + "_repair_rounds"] = toInt(repair.rounds);
@@ -48,6 +47,7 @@ void addBlock(const BlocksResult& result, std::size_t i, const std::string& name
 	map[name + "_components"] = toInt(measure.components);
 	map[name + "_closed"] = measure.closed;
 	map[name + "_open_edges"] = toInt(result.openEdges[i]);
+	map[name + "_merged_vertices"] = toInt(block.wallMerge.vertices);
 	addCertificate(name, block, block.repair, repair, map);
 }
 
