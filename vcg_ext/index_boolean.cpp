@@ -30,6 +30,7 @@
 #include "vcg_ext/mesh/closing_distance.h"
 #include "vcg_ext/mesh/near_vertices.h"
 #include "vcg_ext/mesh/unmatched_edges.h"
+#include "vcg_ext/parts/merge_shared_walls.h"
 #include "vcg_ext/solids/block_audit.h"
 #include "vcg_ext/solids/cell_labels.h"
 #include "vcg_ext/solids/delaunay_pieces.h"
@@ -37,6 +38,7 @@
 #include "vcg_ext/solids/labels.h"
 #include "vcg_ext/solids/manifold_copies.h"
 #include "vcg_ext/solids/merge_fragments.h"
+#include "vcg_ext/solids/merge_walls.h"
 #include "vcg_ext/solids/operand_refusals.h"
 #include "vcg_ext/solids/overlap_owners.h"
 #include "vcg_ext/solids/rounding_loop.h"
@@ -444,6 +446,9 @@ Status extractCollected(const Arrangement& arrangement, const Collect& collect, 
 			stages.run("rounding_loop", 0,
 			           [&] { return finishAgain(arrangement, collect, monitor, out); });
 		}
+		if (arrangement.options.mergeTolerance > 0) {
+			stages.run("merge_walls", 0, [&] { return mergeWalls(arrangement, monitor, out); });
+		}
 		stages.run("polygons", 0.05, [&] { return findFauxEdges(arrangement, {}, monitor, out); });
 		return stages.status();
 	});
@@ -504,6 +509,10 @@ Status findParts(const Arrangement& arrangement, bool alsoBlocks, Monitor& monit
 			}
 			return status;
 		});
+		if (arrangement.options.mergeTolerance > 0) {
+			stages.run("merge_shared_walls", 0,
+			           [&] { return mergeSharedWalls(arrangement, monitor, out.surfaces); });
+		}
 		if (alsoBlocks) {
 			stages.run("sub_blocks", 0.3, [&] {
 				return findSubBlocks(arrangement, out.surfaces, Walls::All, monitor, out.blocks);

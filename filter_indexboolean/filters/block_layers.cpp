@@ -27,7 +27,7 @@ std::unique_ptr<AttributeTransfer> attributeTransfer(const ParameterValues& valu
 	options.selectCurve = values.getBool("select_curve_vertices");
 	auto transfer = std::make_unique<AttributeTransfer>(operands.layers, read, options);
 	request.attributes = transfer->request();
-	if (request.options.mergeCoplanar) {
+	if (request.options.mergeCoplanar || request.options.mergeTolerance > 0) {
 		read.arrays.faceClass = transfer->faceClasses();
 	}
 	return transfer;
@@ -66,6 +66,9 @@ std::vector<int> idsOf(const std::vector<MeshModel*>& layers) {
 void addCertificateMessages(const BlocksResult& result, const std::vector<std::string>& labels,
                             OutputScalar scalar, std::vector<std::string>& messages) {
 	for (std::size_t i = 0; i < result.blocks.size(); ++i) {
+		if (result.blocks[i].wallMerge.vertices > 0) {
+			messages.push_back(mergedMessage("\"" + labels[i] + "\"", result.blocks[i].wallMerge));
+		}
 		const std::size_t faces = result.blocks[i].certificate.faces.size();
 		if (faces > 0) {
 			messages.push_back(uncertifiedMessage(labels[i], faces, scalar));

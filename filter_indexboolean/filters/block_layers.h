@@ -34,7 +34,8 @@ std::vector<LayerContent> blockContents(const BlocksResult& result,
 
 std::vector<int> idsOf(const std::vector<MeshModel*>& layers);
 
-// Adds one sentence for each block that is not certified, or one for all.
+// Adds a sentence for each block of which walls have been merged, and for each that is not
+// certified, or one for all.
 void addCertificateMessages(const BlocksResult& result, const std::vector<std::string>& labels,
                             OutputScalar scalar, std::vector<std::string>& messages);
 

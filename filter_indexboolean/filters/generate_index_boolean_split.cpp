@@ -212,6 +212,9 @@ std::vector<std::string> findings(const SplitResult& result, const SplitRequest&
 		messages.push_back(
 		    clipMessage(request.clips[i], result.clipMeshes[i], result.clipMeasures[i], names));
 	}
+	if (result.split.surfaces.wallMerge.vertices > 0) {
+		messages.push_back(mergedMessage("All pieces", result.split.surfaces.wallMerge));
+	}
 	addCertificateMessages(result, request, names, messages);
 	if (request.separateLayers && !hasLayerForEachPiece(result, request)) {
 		messages.push_back(tooManyLayersMessage(pieceCount(result, request), request.maxLayers));
@@ -245,6 +248,9 @@ FilterOutput generateIndexBooleanSplit(const ParameterValues& values, MeshDocume
 	AttributeOptions attributes;
 	attributes.reserved = attributeNames();
 	const AttributeTransfer transfer(operands.layers, read, attributes);
+	if (request.options.mergeTolerance > 0) {
+		read.arrays.faceClass = transfer.faceClasses();
+	}
 	seconds.readLayers = total.seconds();
 
 	SplitResult result;

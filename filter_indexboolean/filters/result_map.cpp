@@ -28,7 +28,7 @@ void addCertificate(const std::string& name, const SourcedMesh& mesh, const Surf
 	if (mesh.certificate.isKnown) {
 		map[name + "_repair_rounds"] = toInt(repair.rounds);
 		map[name + "_moved_vertices"] = toInt(ofMesh.movedVertices);
-		map[name + "_largest_move"] = repair.largestMove;
+		map[name + "_largest_move"] = std::max(repair.largestMove, mesh.wallMerge.largestMove);
 		map[name + "_volume_change"] = ofMesh.volumeChange;
 		map[name + "_vanished_components"] = toInt(ofMesh.vanishedComponents);
 	}
@@ -47,6 +47,7 @@ void addBlock(const BlocksResult& result, std::size_t i, const std::string& name
 	map[name + "_components"] = toInt(measure.components);
 	map[name + "_closed"] = measure.closed;
 	map[name + "_open_edges"] = toInt(result.openEdges[i]);
+	map[name + "_merged_vertices"] = toInt(block.wallMerge.vertices);
 	addCertificate(name, block, block.repair, repair, map);
 }
 
@@ -269,6 +270,9 @@ ResultMap resultMap(const SplitResult& result, const std::vector<Clip>& clips,
 	if (names.isList) {
 		addOperands(names.layers, map);
 	}
+	const WallMerge& merge = result.split.surfaces.wallMerge;
+	map["merged_vertices"] = toInt(merge.vertices);
+	map["largest_merge"] = merge.largestMove;
 	map["sub_blocks_closed"] = result.audit.closed;
 	map["volume_law_residual"] = result.audit.volumeLawResidual;
 	map["zero_area_faces_removed"] =

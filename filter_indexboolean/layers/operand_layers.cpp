@@ -97,6 +97,7 @@ Options readCommonOptions(FilterId filter, const ParameterValues& values) {
 
 Options readSurfaceOptions(FilterId filter, const ParameterValues& values) {
 	Options options = readCommonOptions(filter, values);
+	options.mergeTolerance = lengthInRange(filter, "merge_tolerance", values);
 	options.certify = values.getBool("certify");
 	if (values.getInt("certify_as") == static_cast<int>(CertifyAs::Float)) {
 		options.outputScalar = OutputScalar::Float;

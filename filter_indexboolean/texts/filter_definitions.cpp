@@ -201,6 +201,22 @@ const ParameterDefinition kWeldDistance{
     "diagonal of the box around all layers. Refused if such a chain leads more than twice as far. "
     "0: nothing is moved."};
 
+const ParameterDefinition kMergeTolerance{
+    "merge_tolerance",
+    ParameterKind::Length,
+    0,
+    0,
+    0,
+    false,
+    "Merge tolerance",
+    "For models that are made in many steps, of which each cuts the walls of the one before once "
+    "more. Connected faces of a new layer that lie within this of one plane become one polygon, "
+    "chains of edges around it that lie within it of a straight line one edge, and vertices that "
+    "then bear nothing go, where no attribute differs. No point of the surface moves farther. A "
+    "length, or a percentage of the diagonal of the box around all layers; 1e-10 % undoes what "
+    "rounding in double does. 0: only what is exactly coplanar is merged, as above.",
+};
+
 const ParameterDefinition kCertify{
     "certify",
     kBool,
@@ -273,6 +289,7 @@ ParameterList blockParameters() {
 	     "Neighbouring faces of a block that are exactly coplanar are merged too, and vertices "
 	     "inside straight edges are dropped: the fewest faces, at the cost of vertices and "
 	     "edges of the layers. Off: vertices of the layers stay."},
+	    kMergeTolerance,
 	    {"weld_non_manifold", kBool, 0, 0, 1, false, "Weld non-manifold vertices",
 	     "Where a block meets itself in an edge or a vertex, it keeps one vertex instead of "
 	     "copies: edges with four faces. Off: copies of vertices pull the faces apart, so that "
@@ -398,6 +415,7 @@ FilterDefinition splitDefinition() {
 	        {"max_layers", kInt, 64, 1, 1000, false, "Most layers",
 	         "1 to 1000. If there are more pieces, all of a kind go into one layer, told apart by "
 	         "their numbers and colours; the log says so."},
+	        kMergeTolerance,
 	        kSelfIntersections,
 	        kWindingRule,
 	        kWeldDistance,

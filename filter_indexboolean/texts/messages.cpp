@@ -350,6 +350,13 @@ std::string blockMessage(const std::string& label, const Block& block,
 	       ", area " + decimal(measure.area) + ".";
 }
 
+std::string mergedMessage(const std::string& what, const WallMerge& merge) {
+	return what + ": " + std::to_string(merge.vertices) +
+	       (merge.vertices == 1 ? " vertex" : " vertices") +
+	       " went where walls were merged, from " + decimal(merge.largestMove) +
+	       " beside them at most.";
+}
+
 std::string certifiedMessage(std::size_t surfaces, OutputScalar scalar) {
 	return "Certified: as stored in " + scalarName(scalar) + ", the faces of " +
 	       (surfaces == 1 ? "the new surface" : "each of the " + counted(surfaces, "new surface")) +

@@ -83,6 +83,9 @@ std::string nothingInsideMessage(const std::string& label);
 // Which layer each number in source_mesh stands for.
 std::string operandNumbersMessage(const LayerNames& layers);
 
+// Walls of a new layer, or of all pieces, were merged by merge_tolerance.
+std::string mergedMessage(const std::string& what, const WallMerge& merge);
+
 // All of the run's surfaces hold as they are stored.
 std::string certifiedMessage(std::size_t surfaces, OutputScalar scalar);
 

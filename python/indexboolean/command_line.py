@@ -119,6 +119,16 @@ def _add_certify(command):
     )
 
 
+def _add_merge_tolerance(command):
+    _add_filter_option(
+        command, "merge_tolerance", "--merge-tolerance", type=_length, default="0",
+        metavar="LENGTH",
+        help="connected faces of a result that lie within this of one plane become one polygon, "
+        "chains of edges around it that lie within it of a line one edge: a length, as 1e-12, or a "
+        "share of the diagonal of the box around all meshes, as 1e-10%% (default: 0)",
+    )
+
+
 def _add_boolean(commands):
     command = _add_pair_command(
         commands, "boolean", _run_boolean,
@@ -151,6 +161,7 @@ def _add_block_options(command):
         command, "merge_coplanar", "--merge-coplanar", action="store_true",
         help="merge neighbouring faces that are exactly coplanar, and drop collinear vertices",
     )
+    _add_merge_tolerance(command)
     _add_filter_option(
         command, "weld_non_manifold", "--weld-non-manifold", action="store_true",
         help="where a block meets itself keep one vertex instead of copies (edges with four faces)",
@@ -193,6 +204,7 @@ def _add_split(commands):
         command, "max_layers", "--max-files", type=int, default=64, metavar="N",
         help="more pieces than this go into one file a kind (default: 64)",
     )
+    _add_merge_tolerance(command)
     _add_certify(command)
 
 

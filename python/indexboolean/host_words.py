@@ -16,6 +16,7 @@ _WORDS = (
     ),
     (r"With certify_as = host\b", "With another --format than stl"),
     (r"\bweld_distance\b", "--weld-distance"),
+    (r"\bmerge_tolerance\b", "--merge-tolerance"),
     (r'"([^"]*)" \((meshing_\w+)\)', r"""MeshLab's "\1" (pymeshlab: \2)"""),
 )
 

@@ -14,7 +14,7 @@ from .plugin import load_plugin
 from .ply_file import write_ply, write_ply_columns
 
 
-_LENGTHS = {"weld_distance", "max_distance"}
+_LENGTHS = {"weld_distance", "merge_tolerance", "max_distance"}
 
 
 class JobError(Exception):

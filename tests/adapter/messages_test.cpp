@@ -345,11 +345,26 @@ TEST(FilterDefinitions, switchesHaveTheDefaultsOfTheCore) {
 	EXPECT_EQ(defaultOf("merge_fragments"), options.mergeFragments);
 	EXPECT_EQ(defaultOf("merge_coplanar"), options.mergeCoplanar);
 	EXPECT_EQ(defaultOf("weld_non_manifold"), options.weldNonManifold);
+	for (const FilterId filter :
+	     {FilterId::GenerateIndexBoolean, FilterId::GenerateIndexBooleanExpression,
+	      FilterId::GenerateIndexBooleanResolve, FilterId::GenerateIndexBooleanSplit}) {
+		const ParameterDefinition& tolerance = parameterDefinition(filter, "merge_tolerance");
+		EXPECT_EQ(tolerance.kind, ParameterKind::Length);
+		EXPECT_EQ(tolerance.defaultValue, options.mergeTolerance);
+	}
 	const auto choiceOf = [](const char* name) {
 		return parameterDefinition(FilterId::GenerateIndexBoolean, name).defaultValue;
 	};
 	EXPECT_EQ(choiceOf("self_intersections"), static_cast<int>(SelfIntersections::Resolve));
 	EXPECT_EQ(choiceOf("winding_rule"), static_cast<int>(options.windingRule));
+}
+
+TEST(Messages, aMergeSaysHowMuchWentAndHowFar) {
+	EXPECT_EQ(mergedMessage("\"A union B\"", {12, 2e-16}),
+	          "\"A union B\": 12 vertices went where walls were merged, from 2e-16 beside them at "
+	          "most.");
+	EXPECT_EQ(mergedMessage("All pieces", {1, 0}),
+	          "All pieces: 1 vertex went where walls were merged, from 0 beside them at most.");
 }
 
 TEST(FilterDefinitions, labelsHaveNoDotsThatTheHostWouldTakeForAFilesSuffix) {

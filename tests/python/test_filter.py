@@ -329,6 +329,7 @@ class TestResultMap:
                 "components": int,
                 "closed": bool,
                 "open_edges": int,
+                "merged_vertices": int,
                 "self_intersections": int,
                 "repair_rounds": int,
                 "moved_vertices": int,

@@ -172,7 +172,8 @@ class TestResultMap:
         expected["sub_blocks_closed"] = bool
         expected["volume_law_residual"] = float
         expected["labelled_by_cells"] = bool
-        expected |= {"welded_vertices": int, "largest_weld": float}
+        expected |= {"welded_vertices": int, "largest_weld": float, "merged_vertices": int,
+                     "largest_merge": float}
         for key in ("zero_area_faces_removed", "loops_open", "loops_hard_closed",
                     "loops_soft_closed", "self_intersecting_faces_first",
                     "self_intersecting_faces_second"):

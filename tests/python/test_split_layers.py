@@ -336,7 +336,8 @@ class TestSwitches:
     def test_keysAndTypes(self):
         result = ListSplit(CUBE, *SHEETS[:2]).result
         expected = {"operands": int, "operand_layers": np.ndarray, "labelled_by_cells": bool,
-                    "welded_vertices": int, "largest_weld": float,
+                    "welded_vertices": int, "largest_weld": float, "merged_vertices": int,
+                    "largest_merge": float,
                     "sub_blocks": int, "sub_blocks_layer": int, "sub_blocks_layers": np.ndarray,
                     "sub_blocks_areas": np.ndarray, "sub_blocks_volumes": np.ndarray,
                     "sub_blocks_self_intersections": np.ndarray, "sub_blocks_closed": bool,

@@ -46,6 +46,7 @@ struct Options {
 	    true;  // repair places so that what is delivered holds as stored, and say if it does
 	bool thoroughRepair = true;  // where few faces do not hold, many places are tried for each
 	double weldDistance = 0;     // vertices of one operand that are nearer than this become one
+	double mergeTolerance = 0;   // walls that lie within this of one plane become one polygon
 	// How many there may be of anything that a run numbers: vertices, faces, points of contact,
 	// pieces; of corners and label nodes, twice as many. More is TooLarge. Raising it does nothing.
 	std::size_t mostElements = kMostElements;

@@ -23,10 +23,11 @@ bool isRounded(const Arrangement& arrangement, VertexId source) {
 Status findSuspects(const Arrangement& arrangement, const SourcedMesh& mesh, Monitor& monitor,
                     std::vector<std::uint8_t>& isSuspect) {
 	constexpr std::size_t kGrain = 1 << 14;
-	// What was arranged again as stored is looked at as a whole: parts of the first arrangement may
-	// have come to lie on one another.
-	isSuspect.assign(mesh.triangles.size(), arrangement.again != nullptr ? 1 : 0);
-	if (arrangement.again != nullptr) {
+	// What was arranged again as stored, or merged, is looked at as a whole: parts of the first
+	// arrangement may have come to lie on one another.
+	const bool areAll = arrangement.again != nullptr || mesh.wallMerge.vertices > 0;
+	isSuspect.assign(mesh.triangles.size(), areAll ? 1 : 0);
+	if (areAll) {
 		return {};
 	}
 	const auto isRoundedSource = [&arrangement](VertexId v) { return isRounded(arrangement, v); };

@@ -26,6 +26,12 @@ struct Certificate {
 	std::int64_t count() const { return isKnown ? static_cast<std::int64_t>(faces.size()) : -1; }
 };
 
+// What merging walls that are nearly coplanar has done to a mesh, see solids/merge_walls.h.
+struct WallMerge {
+	std::size_t vertices = 0;  // that it has taken away
+	double largestMove = 0;    // how far one of these is from the surface that is left
+};
+
 // Arrays are parallel: points with vertexSource, triangles with faceSource and, unless it is empty,
 // faux. Triangles index `points`. A vertexSource is an input vertex or a curve point.
 struct SourcedMesh {
@@ -36,6 +42,7 @@ struct SourcedMesh {
 	std::vector<std::uint8_t> faux;  // as in MeshArrays; empty if no face has a faux edge
 	std::size_t zeroAreaFacesRemoved = 0;
 	Certificate certificate;
+	WallMerge wallMerge;
 };
 
 }  // namespace index_boolean

@@ -17,6 +17,11 @@ namespace index_boolean {
 
 namespace {
 
+// How far a point may be stored from its rounded place, or from what stands for it.
+double mostMoved(const Arrangement& arrangement) {
+	return arrangement.placeRepair.largestMove + arrangement.options.mergeTolerance;
+}
+
 class Rounding {
 public:
 	// \param move how far a point may be from its rounded place
@@ -93,7 +98,7 @@ Status auditSubBlocks(const Arrangement& arrangement, const SubSurfaces& surface
 	BoundingBox box{};
 	Status status = findBoundingBox(points.data(), points.size(), options.threads, monitor, box);
 	const Rounding inside(box, OutputScalar::Double, 0);
-	const Rounding delivered(box, options.outputScalar, arrangement.placeRepair.largestMove);
+	const Rounding delivered(box, options.outputScalar, mostMoved(arrangement));
 	bool right = true;
 	double most = 0;
 	double total = 0;
@@ -137,8 +142,11 @@ Status auditClip(const Arrangement& arrangement, const SubSurfaces& surfaces,
 		area += isInClip(blocks, options.windingRule, clip, s) ? at(surfaces.all, s).area : 0;
 	}
 	measure = measureSurface(mesh.points, mesh.triangles, options.threads);
-	const std::size_t faces = mesh.triangles.size();
-	const Rounding delivered(box, options.outputScalar, arrangement.placeRepair.largestMove);
+	std::size_t faces = mesh.triangles.size();
+	for (const SubSurfaceId s : surfaces.ofOperand[clip.surface]) {
+		faces += at(surfaces.all, s).faceCount;
+	}
+	const Rounding delivered(box, options.outputScalar, mostMoved(arrangement));
 	// Where faces have been cleaned away, sheets that rounding has laid on each other are, too; and
 	// what was arranged again as stored is without its folds.
 	const bool isWhole = mesh.zeroAreaFacesRemoved == 0 && arrangement.again == nullptr;

@@ -198,8 +198,8 @@ std::vector<std::uint32_t> SplitMeshCollector::subSurfaceOfFaces() const {
 Status SplitMeshCollector::certify(bool isOneSurface) {
 	const std::vector<std::uint32_t> part =
 	    isOneSurface ? std::vector<std::uint32_t>{} : subSurfaceOfFaces();
-	return index_boolean::certify(arrangement_, out_, part, out_.zeroAreaFacesRemoved == 0,
-	                              monitor_, out_.certificate);
+	const bool isAsCut = out_.zeroAreaFacesRemoved == 0 && out_.wallMerge.vertices == 0;
+	return index_boolean::certify(arrangement_, out_, part, isAsCut, monitor_, out_.certificate);
 }
 
 // Polygons end where sub-surfaces do.
@@ -249,6 +249,7 @@ Status SplitMeshCollector::run(bool isOneSurface) {
 	if (!corners_.empty()) {
 		dropFolds(isOneSurface);
 	}
+	out_.wallMerge = surfaces_.wallMerge;
 	return inOrder([this] { return placeVertices(); }, [this] { return writeFaces(); },
 	               [&] { return isOneSurface ? cleanOneSurface() : clean(); },
 	               [&] { return certify(isOneSurface); }, [this] { return nameSources(); },

@@ -52,7 +52,9 @@ struct SubSurfaces {
 	std::vector<std::vector<SubSurfaceId>> atLoop;    // per loop of the arrangement; ascending
 	std::vector<SurfaceSums> sums;                    // per sub-surface, seen from its front
 	SumFrame frame;                                   // of the sums
-	StoredTriangles stored;  // in place of the complex's, if these do not hold as they are stored
+	StoredTriangles stored;  // in place of the complex's, if these do not hold as they are stored,
+	                         // or have been merged
+	WallMerge wallMerge;     // what that has done to all of them
 };
 
 // Finds the sub-surfaces of an arrangement.
