@@ -36,9 +36,23 @@ class OneBlock(peers.IndexBooleanFilter):
     def run(self):
         result = self.document.apply_filter(
             "generate_index_boolean", first_mesh=0, second_mesh=1,
-            **{block: block == self.operation for block in BLOCKS},
+            **{block: block == self.operation for block in BLOCKS}, **self.parameters(),
         )
         return int(result[f"{self.operation}_layer"])
+
+    def parameters(self):
+        return {}
+
+
+class MergedBlock(OneBlock):
+    """The same, with walls merged that rounding has taken off their plane."""
+
+    share = 1e-10  # per cent of the operands' diagonal
+
+    def parameters(self):
+        import pymeshlab
+
+        return {"merge_tolerance": pymeshlab.PercentageValue(self.share)}
 
 
 class FloatHost(peers.Peer):
@@ -81,6 +95,7 @@ def read_block(folder, block):
 
 SYSTEMS = {
     "here": OneBlock,
+    "merged": MergedBlock,
     "float host": FloatHost,
     **{name: peers.PEERS[name] for name in ("Manifold", "trueform", "MeshLib", "CGAL", "libigl")},
 }
