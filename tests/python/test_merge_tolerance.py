@@ -14,6 +14,7 @@ import pytest
 
 import judges
 import mesh_laws
+import placements
 import sample_catalogue
 from conftest import box, document, sphere
 from merged_chains import allowed_volume, manifold_steps, merged_steps
@@ -117,6 +118,52 @@ def test_samplesMoveNoFartherThanTheTolerance(name, share):
     assert result["union_self_intersections"] == 0
     assert len(after[0]) == len(before[0]) - result["union_merged_vertices"]
     assert mesh_laws.rows_in(after[0], before[0]).all()
+
+
+@pytest.mark.long
+@pytest.mark.parametrize("share", [1e-6, 1e-4, 1e-3])
+@pytest.mark.parametrize("name", ["fandisk", "spot", "fertility", "rocker-arm", "cheburashka"])
+def test_scansMoveNoFartherThanTheTolerance(name, share):
+    folder = placements.meshes_folder()
+    if folder is None:
+        pytest.skip(f"{placements.MESHES_VARIABLE} is not set")
+    mesh = placements.read_mesh(folder / f"{name}.obj")
+    tolerance = share * float(np.linalg.norm(np.ptp(mesh[0], axis=0)))
+    before, after, result = union_with_a_box(mesh, tolerance)
+    rng = np.random.default_rng(1)
+    assert max(distance(before, after, rng), distance(after, before, rng)) <= tolerance
+    assert result["union_self_intersections"] == 0
+
+
+def prism(sides, x, y, radius):
+    """From z = -1 to z = 2 about a line along z."""
+    angles = 2 * np.pi * np.arange(sides) / sides
+    ring = np.stack([x + radius * np.cos(angles), y + radius * np.sin(angles)], axis=1)
+    points = [np.column_stack([ring, np.full(sides, z)]) for z in (-1.0, 2.0)]
+    points = np.vstack([*points, [(x, y, -1), (x, y, 2)]])
+    i = np.arange(sides)
+    j, low, high = (i + 1) % sides, 0 * i + 2 * sides, 0 * i + 2 * sides + 1
+    quads = np.vstack([np.stack([i, j, j + sides], 1), np.stack([i, j + sides, i + sides], 1)])
+    lids = np.vstack([np.stack([j, i, low], 1), np.stack([i + sides, j + sides, high], 1)])
+    return points, np.vstack([quads, lids])
+
+
+# A polygon with n corners and h holes has n - 2 + 2 h triangles, whatever they are.
+@pytest.mark.parametrize("count", [6, pytest.param(50, marks=pytest.mark.long)])
+def test_aTurnedPlateWithHolesHasTheFacesOfItsPolygons(count):
+    sides, turn = 32, ((1, 2, 3), 0.4)
+    plate = turned_about(box((0, 0, 0), (count, count, 1)), *turn)
+    holes = [prism(sides, x + 0.5, y + 0.5, 0.3) for x in range(count) for y in range(count)]
+    points = np.vstack([p for p, _ in holes])
+    faces = np.vstack([f + k * len(holes[0][0]) for k, (_, f) in enumerate(holes)])
+    layers = document(plate, turned_about((points, faces), *turn))
+    result = layers.generate_index_boolean(
+        first_mesh=0, second_mesh=1, union=False, intersection=False, second_minus_first=False,
+        merge_tolerance=pymeshlab.PercentageValue(1e-10))
+    corners = 4 + sides * count**2
+    expected = 2 * (corners - 2 + 2 * count**2) + 2 * corners
+    assert result["first_minus_second_faces"] == expected
+    assert result["first_minus_second_self_intersections"] == 0
 
 
 def test_aBallStaysBelowItsSagitta():
