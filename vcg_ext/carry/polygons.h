@@ -20,7 +20,8 @@ namespace index_boolean {
 //             and the mesh is closed
 // \param mesh finished, but for its faux edges
 // \return Ok, Cancelled or OutOfMemory
-// Complexity: O(n + k log k) for n faces, k of them in cut polygons at their borders or in several parts.
+// Complexity: O(n + k log k) for n faces, k of them in cut polygons at their borders or in several
+// parts.
 Status findFauxEdges(const Arrangement& arrangement, const std::vector<std::uint32_t>& part,
                      Monitor& monitor, SourcedMesh& mesh);
 

@@ -48,13 +48,15 @@ struct PlaneRegions {
 	bool isSingle(std::uint32_t region) const { return region >= planes.size(); }
 };
 
-// The plane of a face by its places, whichever corner comes first. O(1).
+// The plane of a face by its places, whichever corner comes first. Complexity: O(1).
 NearPlane planeOfFace(const Points& points, const IndexTriangle& face);
 
-// The square of a face's area, and its least height over a side, likewise. O(1).
+// The square of twice a face's area, and its least height over a side.
 struct FaceSize {
 	double squaredArea, leastHeight;
 };
+
+// The size of a face by its places, likewise. Complexity: O(1).
 FaceSize sizeOfFace(const Points& points, const IndexTriangle& face);
 
 // Finds the regions: from the largest face that is left on, what hangs together near a plane that
