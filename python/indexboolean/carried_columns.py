@@ -4,8 +4,9 @@
 
 A face has the values of the face that it comes from, whatever their type. A vertex that was one
 before has its own; a new one has what the filter gives it, as docs/attributes.md says: the mean of
-the corners of the face that it lies in. For that, layers have a custom attribute of doubles for
-each number of a row.
+the corners of the face that it lies in. For that, layers have custom attributes with the numbers of
+a row as doubles; and, since the filter parts vertices in one place whose attributes differ, as a NaN
+does from itself, with 0 for NaN and a flag beside it.
 
 Guarantee: what was not cut keeps its values bit by bit.
 """
@@ -32,6 +33,10 @@ class CarriedColumns:
         self._first_face = np.cumsum([0, *face_counts])
         self._of_vertices = _joined([record.of_vertices for record in records], vertex_counts)
         self._of_faces = _joined([record.of_faces for record in records], face_counts)
+        self._with_nan = {
+            number for number, column in self._mixed_columns()
+            if column.values.dtype.kind in "fc" and np.isnan(column.values).any()
+        }
 
     def __bool__(self):
         return bool(self._of_vertices or self._of_faces)
@@ -45,7 +50,7 @@ class CarriedColumns:
         """Gives a pymeshlab.Mesh, which is that operand, the attributes of its vertices."""
         rows = slice(*self._first_vertex[operand:operand + 2])
         for number, column in self._mixed_columns():
-            doubles = _doubles(column.values[rows])
+            doubles = self._encoded(number, column.values[rows])
             for part, attribute in _parts(number, doubles.shape[1]):
                 if len(part) == 3:
                     layer.add_vertex_custom_point_attribute(doubles[:, part], attribute)
@@ -82,7 +87,8 @@ class CarriedColumns:
             if name == self.normals:
                 values = layer.vertex_normal_matrix().astype(column.values.dtype)
             elif number in mixed:
-                doubles = _read(layer, number, _doubles(column.values[:0]).shape[1])
+                width = self._encoded(number, column.values[:0]).shape[1]
+                doubles = self._decoded(number, _read(layer, number, width))
                 values = _from_doubles(doubles, own)
                 # Where the filter took them as they were, a large integer must not be rounded.
                 is_own = _same_rows(doubles[was_there], _doubles(own))
@@ -92,6 +98,20 @@ class CarriedColumns:
                 values[was_there] = own
             columns[name] = Column(values)
         return columns
+
+    def _encoded(self, number, values):
+        """Rows of doubles that equal themselves."""
+        doubles = _doubles(values)
+        if number not in self._with_nan:
+            return doubles
+        is_nan = np.isnan(doubles)
+        return np.concatenate([np.where(is_nan, 0, doubles), is_nan], axis=1)
+
+    def _decoded(self, number, encoded):
+        if number not in self._with_nan:
+            return encoded
+        doubles, is_nan = np.split(encoded, 2, axis=1)
+        return np.where(is_nan > 0, np.nan, doubles)
 
     def _mixed_columns(self):
         """(number, column) of those that the filter mixes."""

@@ -31,6 +31,7 @@ _OF_PYTHON = (
     (r'("[^"]*") \(id \d+\)', r"\1"),
     (r"\bLayers\b", "Meshes"),
     (r"\blayer(s?) with id\b", r"mesh\1 with number"),
+    (r' with "Delete Selected Faces and Vertices" \(\w+\)', ""),
     (r"If the layer's matrix is to blame, correct it\. Else delete", "Delete"),
     (r"The layer is damaged: load its file again", "The mesh is damaged"),
     (r"\blayers\b", "meshes"),
