@@ -5,8 +5,8 @@
 A face has the values of the face that it comes from, whatever their type. A vertex that was one
 before has its own; a new one has what the filter gives it, as docs/attributes.md says: the mean of
 the corners of the face that it lies in. For that, layers have custom attributes with the numbers of
-a row as doubles; and, since the filter parts vertices in one place whose attributes differ, as a NaN
-does from itself, with 0 for NaN and a flag beside it.
+a row as doubles; with 0 for NaN and a flag beside it, since the filter parts vertices in one place
+whose attributes differ, as a NaN does from itself.
 
 Guarantee: what was not cut keeps its values bit by bit.
 """
@@ -26,12 +26,15 @@ class CarriedColumns:
     """
 
     def __init__(self, records):
-        self.normals = next((r.normals for r in records if r.normals is not None), None)
+        self.normals = _name_of_normals(records)
         vertex_counts = [len(record.vertices) for record in records]
         face_counts = [len(record.faces) for record in records]
         self._first_vertex = np.cumsum([0, *vertex_counts])
         self._first_face = np.cumsum([0, *face_counts])
-        self._of_vertices = _joined([record.of_vertices for record in records], vertex_counts)
+        self._of_vertices = _joined(
+            [_without(record.of_vertices, {record.normals} - {self.normals}) for record in records],
+            vertex_counts,
+        )
         self._of_faces = _joined([record.of_faces for record in records], face_counts)
         self._with_nan = {
             number for number, column in self._mixed_columns()
@@ -41,10 +44,15 @@ class CarriedColumns:
     def __bool__(self):
         return bool(self._of_vertices or self._of_faces)
 
-    def normals_of(self, record):
-        """Its vertices' normals as n x 3 doubles, or None."""
-        column = record.of_vertices.get(self.normals)
-        return None if column is None else _doubles(column.values)
+    def given_normals(self):
+        """The normals of all records' vertices, one record's after those of the one before."""
+        return _doubles(self._of_vertices[self.normals].values)
+
+    def add_normals(self, record, normals):
+        """Gives a record the column of the normals, from n x 3 doubles."""
+        kind = self._of_vertices[self.normals].values.dtype
+        record.normals = self.normals
+        record.of_vertices[self.normals] = Column(normals.astype(kind))
 
     def add_to(self, layer, operand):
         """Gives a pymeshlab.Mesh, which is that operand, the attributes of its vertices."""
@@ -77,16 +85,16 @@ class CarriedColumns:
         return {name: Column(column.values[rows]) for name, column in self._of_faces.items()}
 
     def of_vertices(self, layer, operand, vertex):
-        """{name: Column} of a new layer's vertices; vertex -1: a new one."""
+        """{name: Column} of a new layer's vertices, without normals; vertex -1: a new one."""
         was_there = np.flatnonzero(vertex >= 0)
         rows = self._first_vertex[operand[was_there]] + vertex[was_there]
         columns = {}
         mixed = dict(self._mixed_columns())
         for number, (name, column) in enumerate(self._of_vertices.items()):
-            own = column.values[rows]
             if name == self.normals:
-                values = layer.vertex_normal_matrix().astype(column.values.dtype)
-            elif number in mixed:
+                continue
+            own = column.values[rows]
+            if number in mixed:
                 width = self._encoded(number, column.values[:0]).shape[1]
                 doubles = self._decoded(number, _read(layer, number, width))
                 values = _from_doubles(doubles, own)
@@ -119,6 +127,17 @@ class CarriedColumns:
             (number, column) for number, (name, column) in enumerate(self._of_vertices.items())
             if column.values.dtype.kind in _MIXABLE and name != self.normals
         ]
+
+
+def _name_of_normals(records):
+    """The column of normals that all records have; None: there is none, and those of some are lost.
+    """
+    names = {record.normals for record in records}
+    return names.pop() if len(names) == 1 else None
+
+
+def _without(columns, names):
+    return {name: column for name, column in columns.items() if name not in names}
 
 
 def _parts(number, width):

@@ -11,6 +11,7 @@ from .carried_columns import CarriedColumns
 from .host_words import in_words_of_python
 from .mesh_record import Column, MeshRecord
 from .plugin import load_plugin
+from .turned_normals import turned_normals
 
 _LENGTHS = {"weld_distance", "max_distance"}
 
@@ -37,6 +38,22 @@ class _Triangulation:
 
     def faces_of(self, triangles):
         return triangles if self.face is None else self.face[triangles]
+
+
+class _Sources:
+    """Which operand's triangle and vertex those of a new layer are; a new vertex: -1 and -1.
+
+    operands: what the numbers in the layer's attributes stand for.
+    """
+
+    def __init__(self, layer, operands):
+        of_faces = layer.face_custom_scalar_attribute_array
+        of_vertices = layer.vertex_custom_scalar_attribute_array
+        operand = _integers([*operands, -1])
+        self.mesh = operand[_integers(of_faces("source_mesh"))]
+        self.triangle = _integers(of_faces("source_face"))
+        self.mesh_of_vertex = operand[_integers(of_vertices("source_mesh"))]
+        self.vertex = _integers(of_vertices("source_vertex"))
 
 
 class MeshDocument:
@@ -140,50 +157,64 @@ class MeshDocument:
         attributes of faces that become columns of integers.
         """
         layer = self.meshes.mesh(number)
-        triangles = np.ascontiguousarray(layer.face_matrix())
-        record = MeshRecord(np.ascontiguousarray(layer.vertex_matrix()), triangles)
-        chosen = np.arange(len(triangles))
+        record = MeshRecord(
+            np.ascontiguousarray(layer.vertex_matrix()), np.ascontiguousarray(layer.face_matrix())
+        )
+        triangles, chosen = record.faces, slice(None)
         if self._has_polygons:
             record.faces = layer.polygonal_face_list()
             chosen = _triangle_of_each(record.faces, triangles)
-        for name in numbers:
-            values = layer.face_custom_scalar_attribute_array(name)[chosen].astype(np.int64)
-            record.of_faces[name] = Column(values)
         if self._columns or with_sources:
-            self._add_columns(layer, record, chosen, operands, with_sources)
+            own = range(len(self._triangulations))
+            sources = _Sources(layer, own if operands is None else operands)
+            self._add_columns(layer, record, sources, chosen, with_sources)
+            if self._columns.normals is not None:
+                self._add_normals(record, triangles, sources)
+        for name in numbers:
+            values = layer.face_custom_scalar_attribute_array(name)
+            record.of_faces[name] = Column(_integers(values)[chosen])
         return record
 
-    def _add_columns(self, layer, record, chosen, operands, with_sources):
-        order = range(len(self._triangulations)) if operands is None else operands
-        order = _integers([*order, -1])  # of what is new, whose number is -1
-        mesh = order[_integers(layer.face_custom_scalar_attribute_array("source_mesh"))[chosen]]
-        face = _integers(layer.face_custom_scalar_attribute_array("source_face"))[chosen]
+    def _add_columns(self, layer, record, sources, chosen, with_sources):
+        mesh, face = sources.mesh[chosen], sources.triangle[chosen]
         for number, triangulation in enumerate(self._triangulations):
             own = mesh == number
             face[own] = triangulation.faces_of(face[own])
-        mesh_of_vertex = order[_integers(layer.vertex_custom_scalar_attribute_array("source_mesh"))]
-        vertex = _integers(layer.vertex_custom_scalar_attribute_array("source_vertex"))
-        record.normals = self._columns.normals
-        record.of_vertices = self._columns.of_vertices(layer, mesh_of_vertex, vertex)
-        record.of_faces = {**self._columns.of_faces(mesh, face), **record.of_faces}
+        record.of_vertices = self._columns.of_vertices(
+            layer, sources.mesh_of_vertex, sources.vertex
+        )
+        record.of_faces = self._columns.of_faces(mesh, face)
         if with_sources:
-            record.of_vertices["source_mesh"] = Column(mesh_of_vertex)
-            record.of_vertices["source_vertex"] = Column(vertex)
+            record.of_vertices["source_mesh"] = Column(sources.mesh_of_vertex)
+            record.of_vertices["source_vertex"] = Column(sources.vertex)
             record.of_faces["source_mesh"] = Column(mesh)
             record.of_faces["source_face"] = Column(face)
+
+    def _add_normals(self, record, triangles, sources):
+        given = [self.meshes.mesh(number) for number in range(len(self._triangulations))]
+        first_vertex = np.cumsum([0, *(mesh.vertex_number() for mesh in given)])
+        first_face = np.cumsum([0, *(mesh.face_number() for mesh in given)])
+        corners = [mesh.face_matrix() + first for mesh, first in zip(given, first_vertex)]
+        vertex = np.where(
+            sources.vertex < 0, -1, first_vertex[sources.mesh_of_vertex] + sources.vertex
+        )
+        normals = turned_normals(
+            self._columns.given_normals(),
+            (np.concatenate([mesh.vertex_matrix() for mesh in given]), np.concatenate(corners)),
+            (record.vertices, triangles, first_face[sources.mesh] + sources.triangle, vertex),
+        )
+        self._columns.add_normals(record, normals)
 
     def _layer_of(self, record, keeps_polygons):
         import pymeshlab
 
-        normals = self._columns.normals_of(record)
-        more = {} if normals is None else {"v_normals_matrix": normals}
         if not record.has_polygons:
-            return pymeshlab.Mesh(record.vertices, record.faces, **more), _Triangulation(None)
+            return pymeshlab.Mesh(record.vertices, record.faces), _Triangulation(None)
         polygons = [np.asarray(face, dtype=np.uint32) for face in record.faces]
-        mesh = pymeshlab.Mesh(record.vertices, polygons, **more)
+        mesh = pymeshlab.Mesh(record.vertices, polygons)
         face = _integers(mesh.face_custom_scalar_attribute_array("poly_birth_faces"))
         if not keeps_polygons:
-            mesh = pymeshlab.Mesh(record.vertices, mesh.face_matrix(), **more)
+            mesh = pymeshlab.Mesh(record.vertices, mesh.face_matrix())
         return mesh, _Triangulation(face)
 
 

@@ -138,5 +138,6 @@ def _bad_faces(faces, count):
     bad = np.array([f for f, face in enumerate(faces) if min(face) < 0 or max(face) >= limit])
     corner = next(corner for corner in faces[bad[0]] if corner < 0 or corner >= limit)
     vertices = "" if count is None else f", of which there are {count}"
-    more = "" if len(bad) == 1 else f", as do {len(bad) - 1} more"
+    others = len(bad) - 1
+    more = f", as do{'es' if others == 1 else ''} {others} more" if others else ""
     return BadFaces(f"face {bad[0]} names vertex {corner}{vertices}{more}", bad)

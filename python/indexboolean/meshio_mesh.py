@@ -93,7 +93,7 @@ def _is_surface(block):
         else "Leave out the nodes on its edges: the first three columns of a triangle's, four of a "
         "quad's"
     )
-    raise ValueError(f"it has {len(block.data)} cells of type {block.type}. {remedy}")
+    raise ValueError(f"it has cells of type {block.type}, {len(block.data)} of them. {remedy}")
 
 
 def _flags(count, members):

@@ -54,7 +54,8 @@ def write(record, operands):
 def _read(mesh):
     if mesh.n_strips > 0:
         raise ValueError(
-            f"it has {mesh.n_strips} triangle strips: mesh.triangulate() makes triangles of them"
+            f"it has triangle strips, {mesh.n_strips} of them: mesh.triangulate() makes triangles "
+            "of each"
         )
     before = mesh.n_verts + mesh.n_lines
     normals = mesh.point_data.active_normals_name

@@ -23,7 +23,9 @@ from refusals_of_filters import ALL as CASES
 
 SPHERE = sphere((0.25, 0.125, 0.5), 0.9)
 BOX = box((-0.5, -0.25, -1), (0.5, 0.75, 2))
-QUADS = np.array([(0, 2, 3, 1), (4, 5, 7, 6), (0, 1, 5, 4), (2, 6, 7, 3), (0, 4, 6, 2), (1, 3, 7, 5)])
+QUADS = np.array([
+    (0, 2, 3, 1), (4, 5, 7, 6), (0, 1, 5, 4), (2, 6, 7, 3), (0, 4, 6, 2), (1, 3, 7, 5),
+])
 
 
 def cube_of_quads(low, high):
@@ -69,11 +71,6 @@ def operands(library):
     return made(library, SPHERE, 1), made(library, BOX, 2)
 
 
-def of_faces_by_number(library, mesh):
-    """The data of faces in the order in which SPHERE and BOX have them."""
-    return library.data(mesh)[1]
-
-
 @pytest.mark.parametrize("library", ALL)
 @pytest.mark.parametrize("operation", ["union", "intersection", "difference", "second_minus_first"])
 def test_theResultIsOfTheSameTypeAndAsTheFilters(library, operation):
@@ -115,11 +112,12 @@ def test_whatWasNotCutKeepsEveryBit(library, operation):
             assert of_vertices[name].dtype == values.dtype
             assert of_vertices[name][of_mesh].tobytes() == values[sources].tobytes(), name
         comes = of_faces["source_mesh"] == number
+        source = of_faces["source_face"]
         for name, values in own_face_data.items():
             assert of_faces[name].dtype == values.dtype
-            assert of_faces[name][comes].tobytes() == values[of_faces["source_face"][comes]].tobytes()
+            assert of_faces[name][comes].tobytes() == values[source[comes]].tobytes(), name
         for face in np.flatnonzero(comes & np.all(mesh[np.array(faces)] == number, axis=1)):
-            whole = own_faces[of_faces["source_face"][face]]
+            whole = own_faces[source[face]]
             if set(vertex[faces[face]]) == set(whole):
                 assert {*map(bytes, points[faces[face]])} == {*map(bytes, own_points[whole])}
 
@@ -290,8 +288,8 @@ def test_resolveGivesOneSurface(library):
 
 @pytest.mark.parametrize("library", ALL)
 def test_splitGivesEveryPieceWithItsNumbers(library):
-    sheet = np.array([(-2, -2, 0.3), (2, -2, 0.4), (2, 2, 0.5), (-2, 2, 0.6)]), QUADS[:1] * 0 + (0, 1, 2, 3)
-    sheet = sheet[0], np.array([(0, 1, 2), (0, 2, 3)])
+    corners = np.array([(-2, -2, 0.3), (2, -2, 0.4), (2, 2, 0.5), (-2, 2, 0.6)])
+    sheet = corners, np.array([(0, 1, 2), (0, 2, 3)])
     a, b = operands(library)
     report = {}
     pieces = indexboolean.split(a, b, library.make(*sheet, {}, {}), report=report)
@@ -394,7 +392,8 @@ def test_facesOfARefusalArePolygons():
 
 
 @pytest.mark.parametrize("faces, sentence, numbers", [
-    (np.array([(0, 1, 2), (0, 1, 8), (0, -1, 2)]), "face 1 names vertex 8, of which there are 8", [1, 2]),
+    (np.array([(0, 1, 2), (0, 1, 8), (0, -1, 2)]), "face 1 names vertex 8, of which there are 8, "
+     "as does 1 more", [1, 2]),
     ([(0, 1, 2), (0, 1, 2, 9)], "face 1 names vertex 9, of which there are 8", [1]),
     ([(0, 1, 2), (0, 1)], "face 1 has fewer than three corners", [1]),
     (np.array([(0, 1, 2**40)]), f"face 0 names vertex {2**40}", [0]),
