@@ -5,6 +5,8 @@
 Guarantee: coordinates go in and out as doubles, bit by bit.
 """
 
+import functools
+
 import numpy as np
 
 from .carried_columns import CarriedColumns
@@ -67,10 +69,7 @@ class MeshDocument:
     _refused = None  # the host writes to the log of the document that was refused last
 
     def __init__(self, records, names, keeps_polygons=True, classes=False, columns=True):
-        load_plugin()
-        import pymeshlab
-
-        self.meshes = pymeshlab.MeshSet()
+        self.meshes = _host().MeshSet()
         self._columns = CarriedColumns(records if columns else [])
         self._has_polygons = keeps_polygons and any(record.has_polygons for record in records)
         self._triangulations = []
@@ -95,9 +94,8 @@ class MeshDocument:
         Raises MeshRefusal, MemoryError, TypeError for options that the filter does not have, and
         ValueError for values that an option does not have.
         """
-        import pymeshlab
-
-        parameters = {**own, **self._as_the_host_takes_them(filter_name, own, options)}
+        pymeshlab = _host()
+        parameters = {**own, **_as_the_host_takes_them(filter_name, own, options)}
         try:
             result = self.meshes.apply_filter(filter_name, **parameters)
         except pymeshlab.InvalidEnumException as error:
@@ -107,26 +105,6 @@ class MeshDocument:
             _, _, refusal = str(error).partition("Details: ")  # after the host's own opening
             raise self._refusal(refusal or str(error)) from None
         return result
-
-    def _as_the_host_takes_them(self, filter_name, own, options):
-        """The options with lengths and truth values of the host's types."""
-        import pymeshlab
-
-        known = self.meshes.filter_parameter_values(filter_name)
-        known = {name: value for name, value in known.items() if name not in own}
-        unknown = sorted(options.keys() - known.keys())
-        if unknown:
-            raise TypeError(
-                f"there is no option {unknown[0]}; there are {', '.join(sorted(known))}"
-            )
-        taken = {}
-        for name, value in options.items():
-            if name in _LENGTHS:
-                value = pymeshlab.PureValue(float(value))
-            elif isinstance(known[name], bool):
-                value = bool(value)
-            taken[name] = value
-        return taken
 
     def _refusal(self, sentence):
         if "bad_alloc" in sentence or "not enough memory" in sentence:
@@ -206,8 +184,7 @@ class MeshDocument:
         self._columns.add_normals(record, normals)
 
     def _layer_of(self, record, keeps_polygons):
-        import pymeshlab
-
+        pymeshlab = _host()
         if not record.has_polygons:
             return pymeshlab.Mesh(record.vertices, record.faces), _Triangulation(None)
         polygons = [np.asarray(face, dtype=np.uint32) for face in record.faces]
@@ -230,3 +207,36 @@ def _triangle_of_each(polygons, triangles):
     first = np.array([polygon[:2] for polygon in polygons], dtype=np.int64).reshape(-1, 2)
     wanted = first[:, 0] << 32 | first[:, 1]
     return order[np.searchsorted(edges, wanted, sorter=order)] % max(len(triangles), 1)
+
+
+@functools.lru_cache(maxsize=None)
+def _host():
+    """pymeshlab, with the plugin loaded."""
+    load_plugin()
+    import pymeshlab
+
+    return pymeshlab
+
+
+@functools.lru_cache(maxsize=None)
+def _parameters_of(filter_name):
+    """{name: default} of a filter, which the host tells only of a document with a layer."""
+    meshes = _host().MeshSet()
+    meshes.add_mesh(_host().Mesh(np.zeros((1, 3))))
+    return meshes.filter_parameter_values(filter_name)
+
+
+def _as_the_host_takes_them(filter_name, own, options):
+    """The options with lengths and truth values of the host's types."""
+    known = {k: v for k, v in _parameters_of(filter_name).items() if k not in own}
+    unknown = sorted(options.keys() - known.keys())
+    if unknown:
+        raise TypeError(f"there is no option {unknown[0]}; there are {', '.join(sorted(known))}")
+    taken = {}
+    for name, value in options.items():
+        if name in _LENGTHS:
+            value = _host().PureValue(float(value))
+        elif isinstance(known[name], bool):
+            value = bool(value)
+        taken[name] = value
+    return taken

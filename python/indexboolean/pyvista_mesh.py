@@ -43,12 +43,18 @@ def write(record, operands):
     if normals is not None and mesh.n_cells > 0:
         kind = first.cell_data[normals].dtype
         mesh.cell_data.set_array(np.asarray(mesh.face_normals).astype(kind), normals)
-    for data, given in ((mesh.point_data, first.point_data), (mesh.cell_data, first.cell_data)):
-        for active in _ACTIVE:
-            name = getattr(given, active, None)
-            if name in data:
-                setattr(data, active, name)
+    for operand in reversed(operands):
+        _activate(mesh.point_data, operand.point_data)
+        _activate(mesh.cell_data, operand.cell_data)
     return mesh
+
+
+def _activate(data, given):
+    """Makes active what is so in the given data, as far as it is there."""
+    for active in _ACTIVE:
+        name = getattr(given, active, None)
+        if name in data:
+            setattr(data, active, name)
 
 
 def _read(mesh):
@@ -63,9 +69,13 @@ def _read(mesh):
         name: np.asarray(values)[before:] for name, values in mesh.cell_data.items()
         if name != mesh.cell_data.active_normals_name  # which are those of the new faces
     }
+    of_vertices = columns_of(mesh.point_data.items())
+    texture = mesh.point_data.active_texture_coordinates_name
+    if texture is not None:
+        of_vertices[texture].missing = 0
     return checked_record(
-        mesh.points, polygons_of_padded(mesh.faces), normals=normals,
-        of_vertices=columns_of(mesh.point_data.items()), of_faces=columns_of(of_faces.items()),
+        mesh.points, polygons_of_padded(mesh.faces), normals=normals, of_vertices=of_vertices,
+        of_faces=columns_of(of_faces.items()),
     )
 
 
