@@ -29,13 +29,12 @@ def read_all(meshes):
 
 def write(record, operands):
     """A Mesh with a block of triangles, one of quads, and one of polygons of each other size."""
-    counts = np.array([len(face) for face in record.faces], dtype=int)
-    sizes = [3] if len(counts) == 0 else np.unique(counts)
-    blocks = [np.flatnonzero(counts == size) for size in sizes]
+    sizes, blocks, faces = [3], [slice(None)], [record.faces]
     if record.has_polygons:
+        counts = np.array([len(face) for face in record.faces])
+        sizes = np.unique(counts)
+        blocks = [np.flatnonzero(counts == size) for size in sizes]
         faces = [np.array([record.faces[f] for f in block]) for block in blocks]
-    else:
-        faces = [record.faces]
     types = [_FACES[min(size, 5) - 3] for size in sizes]
     point_sets, point_data = _parted(record.of_vertices)
     cell_sets, cell_data = _parted(record.of_faces)

@@ -237,7 +237,7 @@ def test_pyvistaLinesAndVerticesAreLeftOutWithTheirData():
 
 def test_pyvistaStripsAreRefusedWithARemedyThatHelps():
     strips = polydata(BALL).strip()
-    with pytest.raises(indexboolean.MeshRefusal, match=r"triangle strips, \d+ of them: mesh\.triangulate\(\)"):
+    with pytest.raises(indexboolean.MeshRefusal, match=r"strips, \d+ of them: mesh\.triangulate"):
         indexboolean.boolean(strips, polydata(BOX))
     result = indexboolean.boolean(strips.triangulate(), polydata(BOX))
     assert result.volume == pytest.approx(volume(*indexboolean.boolean(BALL, BOX)), rel=1e-6)
@@ -296,7 +296,7 @@ def test_meshioSetsAndFieldDataAreKept():
 
 @pytest.mark.parametrize("cells, sentence", [
     (("tetra", [[0, 1, 2, 4]]), "cells of type tetra, 1 of them. Take its boundary"),
-    (("triangle6", [[0, 1, 2, 3, 4, 5]]), "cells of type triangle6, 1 of them. Leave out the nodes"),
+    (("triangle6", [[0, 1, 2, 3, 4, 5]]), "type triangle6, 1 of them. Leave out the nodes"),
 ])
 def test_meshioCellsThatAreNoFacesAreRefused(cells, sentence):
     with pytest.raises(indexboolean.MeshRefusal, match=sentence) as refusal:
