@@ -163,7 +163,7 @@ def distance(first, second, *, both_ways=False, report=None, **options):
 
 def _document(known, results, options):
     """The meshes as a document; results: which of them what is made will be of the type of."""
-    merges = bool(options.get("merge_coplanar", False))
+    merges = bool(options.get("merge_coplanar", False)) or options.get("merge_tolerance", 0) > 0
     return MeshDocument(
         known.records, known.names, keeps_polygons=known.can_have_polygons(results) and not merges,
         classes=merges, columns=bool(options.get("transfer_attributes", True)),

@@ -12,10 +12,8 @@ import numpy as np
 from .carried_columns import CarriedColumns
 from .host_words import in_words_of_python
 from .mesh_record import Column, MeshRecord
-from .plugin import load_plugin
+from .plugin import LENGTHS, load_plugin
 from .turned_normals import turned_normals
-
-_LENGTHS = {"weld_distance", "max_distance"}
 
 
 class MeshRefusal(ValueError):
@@ -234,7 +232,7 @@ def _as_the_host_takes_them(filter_name, own, options):
         raise TypeError(f"there is no option {unknown[0]}; there are {', '.join(sorted(known))}")
     taken = {}
     for name, value in options.items():
-        if name in _LENGTHS:
+        if name in LENGTHS:
             value = _host().PureValue(float(value))
         elif isinstance(known[name], bool):
             value = bool(value)

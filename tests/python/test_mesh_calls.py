@@ -219,14 +219,15 @@ def test_trianglesComeBackWhereTheTypeHasNoPolygons():
 
 
 @pytest.mark.parametrize("library", CARRYING)
-def test_coplanarFacesAreMergedWhereTheirDataAreEqual(library):
+@pytest.mark.parametrize("merging", [{"merge_coplanar": True}, {"merge_tolerance": 1e-12}], ids=str)
+def test_coplanarFacesAreMergedWhereTheirDataAreEqual(library, merging):
     points, faces = halved(*BOX)  # each side is eight faces
     other = box((0.25, 0, 1), (3, 0.25, 1.5))
     counts = []
     for labels in (np.zeros(48), np.repeat([0, 1], 24), np.arange(48)):
         first = library.make(points, faces, {}, {"label": labels, "one": np.ones(48, dtype="<U1")})
         second = library.make(*other, {}, {"label": np.zeros(12), "one": np.ones(12, dtype="<U1")})
-        result = indexboolean.boolean(first, second, merge_coplanar=True)
+        result = indexboolean.boolean(first, second, **merging)
         counts.append(len(library.arrays(result)[1]))
     assert counts[0] < counts[1] < counts[2]
 
