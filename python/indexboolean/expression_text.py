@@ -22,12 +22,12 @@ class ExpressionError(Exception):
     """A text that does not read, with its place."""
 
 
-def check_operand_name(name):
-    """Raises ValueError if it cannot stand for a file in an expression."""
+def check_operand_name(name, kind="file"):
+    """Raises ValueError if it cannot stand for a file, or a mesh, in an expression."""
     if not _NAME.fullmatch(name):
         raise ValueError(f"{name!r} is no name: a letter or _, then letters, digits and _")
     if name in _RESERVED:
-        raise ValueError(f"{name!r} is a word of expressions and cannot be a file's name")
+        raise ValueError(f"{name!r} is a word of expressions and cannot be a {kind}'s name")
 
 
 def default_names():
@@ -40,11 +40,11 @@ def default_names():
 class ExpressionText:
     """A text, and the same as the filter reads it: `translated`.
 
-    names are those of the files; a file's place among them is its layer's id. Raises
-    ExpressionError where a statement is given a file's name.
+    names are those of the files, or of what else `kind` says; a file's place among them is its
+    layer's id. Raises ExpressionError where a statement is given a file's name.
     """
 
-    def __init__(self, text, names):
+    def __init__(self, text, names, kind="file"):
         self.text = text
         self._starts = []  # (offset in translated, offset in text) of each word
         ids = {name: str(number) for number, name in enumerate(names)}
@@ -55,8 +55,8 @@ class ExpressionText:
             new = ids.get(word[0], word[0])
             if new != word[0] and following and following[0] == "=":
                 raise ExpressionError(
-                    self._at(word.start(), f'"{word[0]}" is the name of a file, and cannot be that '
-                             "of a statement")
+                    self._at(word.start(), f'"{word[0]}" is the name of a {kind}, and cannot be '
+                             "that of a statement")
                 )
             parts += [blanks, new]
             self._starts.append((length + len(blanks), word.start()))

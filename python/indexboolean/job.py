@@ -10,11 +10,8 @@ import numpy as np
 from .exact_text import write_exact_coordinates
 from .host_call import host_call
 from .host_words import in_words_of_the_command_line
-from .plugin import load_plugin
+from .plugin import LENGTHS, load_plugin
 from .ply_file import write_ply, write_ply_columns
-
-
-_LENGTHS = {"weld_distance", "merge_tolerance", "max_distance"}
 
 
 class JobError(Exception):
@@ -69,7 +66,7 @@ class LayersJob:
         import pymeshlab
 
         lengths = {}
-        for name in _LENGTHS & parameters.keys():
+        for name in LENGTHS & parameters.keys():
             text = parameters[name]
             number = float(text.rstrip("%"))
             if text.endswith("%"):

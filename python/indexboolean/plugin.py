@@ -13,6 +13,8 @@ _FILTERS = (
     "generate_index_boolean_expression", "generate_index_boolean_resolve",
     "compute_index_boolean_distance", "compute_index_boolean_implicit",
 )
+# The filters' parameters that are lengths, which the host takes as objects of its own.
+LENGTHS = {"weld_distance", "merge_tolerance", "max_distance"}
 
 
 class HostError(ImportError):

@@ -180,6 +180,23 @@ def test_recipesPrintWhatTheySay(code, printed, tmp_path):
     assert run_program(code, tmp_path) == printed
 
 
+def programs_with_output(*pages):
+    """(program, what it prints) of each program of the pages; all have what they print below."""
+    for page in pages:
+        text = (ROOT / "docs" / page).read_text()
+        programs = re.findall(r"```python\n(.*?)```\n\n```text\n(.*?)```", text, re.S)
+        assert len(programs) == text.count("```python\n"), page
+        for number, (code, printed) in enumerate(programs):
+            yield pytest.param(code, printed, id=f"{page}-{number}")
+
+
+@pytest.mark.parametrize("code, printed", list(programs_with_output(
+    "libraries.md", "from_trimesh.md", "from_pyvista.md", "from_meshio.md"
+)))
+def test_programsOnTheLibrariesPagesPrintWhatTheySay(code, printed, tmp_path):
+    assert run_program(code, tmp_path) == printed
+
+
 def commands():
     """Each command line of this package on the pages, but for those that need a cluster."""
     lines = {}

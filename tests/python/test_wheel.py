@@ -60,6 +60,34 @@ def test_pluginLooksForLibrariesNowhereButInTheHost(wheel, tmp_path):
     assert all(name in system or name.startswith(known) for name in needed)
 
 
+def symbol_versions(path):
+    """{family: the newest version of it, as numbers} of the symbols that a library takes."""
+    words = ["readelf", "--version-info", "--wide", path]
+    text = subprocess.run(words, capture_output=True, text=True, check=True).stdout
+    text = text.split("Version needs section", 1)[-1]
+    newest = {}
+    for family, version in re.findall(r"Name: ([A-Z]+)_([\d.]+)", text):
+        numbers = tuple(map(int, version.split(".")))
+        newest[family] = max(newest.get(family, ()), numbers)
+    return newest
+
+
+def test_pluginRunsWhereverPymeshlabDoes(wheel, tmp_path):
+    """It takes no symbol that is newer than those that pymeshlab itself takes, or its tag says."""
+    host = importlib.metadata.distribution("pymeshlab")
+    libraries = [host.locate_file(file) for file in host.files if ".so" in file.name]
+    host_takes = {}
+    for library in libraries:
+        for family, numbers in symbol_versions(library).items():
+            host_takes[family] = max(host_takes.get(family, ()), numbers)
+    takes = symbol_versions(plugin_in(wheel, tmp_path))
+    assert {"GLIBC", "GLIBCXX", "CXXABI", "GOMP"} <= takes.keys() and len(libraries) > 20
+    newer = {family: of for family, of in takes.items() if of > host_takes.get(family, (0,))}
+    assert not newer
+    tag = re.search(r"manylinux_(\d+)_(\d+)_", host.read_text("WHEEL"))
+    assert takes["GLIBC"] <= (int(tag[1]), int(tag[2]))
+
+
 def test_pluginNamesNoFolderOfTheBuild(wheel, tmp_path):
     content = plugin_in(wheel, tmp_path).read_bytes()
     for folder in (ROOT, Path.home(), "/tmp/", "/build/"):
