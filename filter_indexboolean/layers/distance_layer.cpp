@@ -126,15 +126,13 @@ void selectInside(const DistanceWriting& writing, const LiveElements& live, CMes
 
 int componentsOf(const DistanceWriting& writing) {
 	int mask = MeshModel::MM_NONE;
-	if (writing.atVertices) {
-		mask |= MeshModel::MM_VERTQUALITY |
-		        (writing.color ? MeshModel::MM_VERTCOLOR : MeshModel::MM_NONE);
-	}
-	if (writing.atFaces) {
-		mask |= MeshModel::MM_FACEQUALITY |
-		        (writing.color ? MeshModel::MM_FACECOLOR : MeshModel::MM_NONE);
-	}
-	return mask | (writing.normals ? MeshModel::MM_VERTNORMAL : MeshModel::MM_NONE);
+	const auto add = [&](bool wanted, int component) { mask |= wanted ? component : 0; };
+	add(writing.atVertices, MeshModel::MM_VERTQUALITY);
+	add(writing.atVertices && writing.color, MeshModel::MM_VERTCOLOR);
+	add(writing.atFaces, MeshModel::MM_FACEQUALITY);
+	add(writing.atFaces && writing.color, MeshModel::MM_FACECOLOR);
+	add(writing.normals, MeshModel::MM_VERTNORMAL);
+	return mask;
 }
 
 }  // namespace

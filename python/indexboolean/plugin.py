@@ -5,6 +5,7 @@
 import importlib.metadata
 import os
 import pathlib
+import sys
 
 # The host loads plugins that were built for its own version and scalar only.
 _HOST_VERSION = "2025.7"
@@ -34,10 +35,24 @@ def load_plugin():
     """
     pymeshlab = _import_host()
     if not set(_FILTERS) <= set(pymeshlab.filter_list()):
+        if sys.platform == "darwin":
+            _require_one_folder(pymeshlab)
         pymeshlab.load_plugin(plugin_path())
     for name in _FILTERS:
         if not hasattr(pymeshlab.MeshSet, name):
             setattr(pymeshlab.MeshSet, name, pymeshlab.bind_function(name))
+
+
+def _require_one_folder(pymeshlab):
+    """On macOS the plugin finds the host's libraries by their place as seen from its own."""
+    ours, theirs = (
+        pathlib.Path(path).resolve().parents[1] for path in (plugin_path(), pymeshlab.__file__)
+    )
+    if ours != theirs:
+        raise HostError(
+            f"indexboolean is installed in {ours}, pymeshlab in {theirs}; on macOS both must be in "
+            "one environment: make one by python -m venv, and install both with its pip"
+        )
 
 
 def _import_host():

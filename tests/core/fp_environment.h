@@ -4,6 +4,8 @@
 // Floating-point environments that a host may be in, and whether one is the default.
 #pragma once
 
+#include <vcg_ext/base/fp_environment.h>
+
 #include <cfenv>
 #include <limits>
 
@@ -43,10 +45,10 @@ inline void spoilEnvironmentOfAllThreads(int threads) {
 }
 
 inline void restoreEnvironmentOfAllThreads(int threads) {
-	std::fesetenv(FE_DFL_ENV);
+	FpEnvironment::setDefault();
 #ifdef _OPENMP
 #pragma omp parallel num_threads(threads)
-	std::fesetenv(FE_DFL_ENV);
+	FpEnvironment::setDefault();
 #else
 	static_cast<void>(threads);
 #endif

@@ -71,6 +71,22 @@ def test_otherHostVersionIsNamedWithTheOneNeeded(monkeypatch):
         indexboolean.load_plugin()
 
 
+def test_hostInAnotherFolderIsNamedOnMacOS(monkeypatch, tmp_path):
+    """There the plugin's load commands lead to the host's libraries from where it lies itself."""
+    loaded = []
+    monkeypatch.setattr(sys, "platform", "darwin")
+    monkeypatch.setattr(pymeshlab, "filter_list", lambda: [])
+    monkeypatch.setattr(pymeshlab, "load_plugin", loaded.append)
+    beside = pathlib.Path(indexboolean.plugin_path()).parents[1] / "pymeshlab/__init__.py"
+    monkeypatch.setattr(pymeshlab, "__file__", str(beside))
+    indexboolean.load_plugin()
+    assert loaded == [indexboolean.plugin_path()]
+    monkeypatch.setattr(pymeshlab, "__file__", str(tmp_path / "pymeshlab/__init__.py"))
+    with pytest.raises(indexboolean.HostError, match=f"pymeshlab in {tmp_path}; .* one environ"):
+        indexboolean.load_plugin()
+    assert len(loaded) == 1
+
+
 def test_hostWithoutItsLibrariesIsNamed(monkeypatch, tmp_path):
     (tmp_path / "pymeshlab.py").write_text("raise ImportError('libGL.so.1: no such file')\n")
     code = "import indexboolean; indexboolean.load_plugin()"

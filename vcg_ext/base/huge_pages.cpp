@@ -19,6 +19,8 @@
 
 namespace index_boolean {
 
+#ifdef MADV_HUGEPAGE
+
 namespace {
 
 constexpr std::size_t kHugePage = std::size_t{1} << 21;
@@ -29,8 +31,6 @@ constexpr bool isLarge(std::size_t bytes) { return bytes >= kHugePage / 2; }
 constexpr std::size_t wholePages(std::size_t bytes) {
 	return (bytes + kHugePage - 1) / kHugePage * kHugePage;
 }
-
-#ifdef MADV_HUGEPAGE
 
 struct Block {
 	std::uintptr_t begin;
@@ -120,11 +120,7 @@ KeptBlocks& keptBlocks() {
 	return *blocks;
 }
 
-#endif
-
 }  // namespace
-
-#ifdef MADV_HUGEPAGE
 
 void* allocatePages(std::size_t bytes) {
 	return isLarge(bytes) ? reinterpret_cast<void*>(keptBlocks().take(wholePages(bytes)).begin)

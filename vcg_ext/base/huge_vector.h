@@ -13,6 +13,7 @@
 #include <initializer_list>
 #include <iterator>
 #include <new>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -22,6 +23,9 @@ namespace index_boolean {
 template <class T>
 struct HugeAllocator {
 	using value_type = T;
+	// All are alike, so an array that is moved takes its memory along, and no item is asked whether
+	// it can be moved: atomics cannot.
+	using propagate_on_container_move_assignment = std::true_type;
 
 	HugeAllocator() = default;
 	template <class U>

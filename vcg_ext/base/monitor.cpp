@@ -7,8 +7,9 @@
 // floating-point environment ends with it.
 #include "vcg_ext/base/monitor.h"
 
+#include "vcg_ext/base/fp_environment.h"
+
 #include <algorithm>
-#include <cfenv>
 #include <chrono>
 
 namespace index_boolean {
@@ -44,14 +45,14 @@ void Monitor::call(double fraction) {
 	}
 	last_ = fraction > last_ ? std::min(fraction, 1.0) : last_;
 	bool goOn = false;
-	std::fenv_t ours;
-	std::fegetenv(&ours);
+	FpEnvironment ours;
+	ours.save();
 	try {
 		goOn = callback_(last_, stage_);
 	} catch (...) {
 		goOn = false;
 	}
-	std::fesetenv(&ours);  // a window's events may run drivers that change it
+	ours.restore();  // a window's events may run drivers that change it
 	if (!goOn) {
 		cancelled_.store(true, std::memory_order_relaxed);
 	}

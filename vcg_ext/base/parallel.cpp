@@ -97,15 +97,15 @@ void workTogether(Run& run, int) { work(run); }
 
 FpEnvironmentGuard::FpEnvironmentGuard() : isOutermost_(!guarded) {
 	if (isOutermost_) {
-		std::fegetenv(&saved_);
-		std::fesetenv(FE_DFL_ENV);
+		saved_.save();
+		FpEnvironment::setDefault();
 		guarded = true;
 	}
 }
 
 FpEnvironmentGuard::~FpEnvironmentGuard() {
 	if (isOutermost_) {
-		std::fesetenv(&saved_);
+		saved_.restore();
 		guarded = false;
 	}
 }

@@ -7,11 +7,11 @@
 // floating-point environment (round to nearest, no flush to zero), whatever the host has set.
 #pragma once
 
+#include "vcg_ext/base/fp_environment.h"
 #include "vcg_ext/base/monitor.h"
 #include "vcg_ext/base/status.h"
 
 #include <algorithm>
-#include <cfenv>
 #include <cstddef>
 #include <memory>
 #include <type_traits>
@@ -30,7 +30,7 @@ public:
 
 private:
 	bool isOutermost_;
-	std::fenv_t saved_;  // all of it: rounding, masks, flags, and on x86 and ARM flush to zero
+	FpEnvironment saved_;
 };
 
 // How many chunks of `grain` items (at least 1) cover n items.

@@ -85,10 +85,31 @@ inline double twoSum(double a, double b, double& error) {
 	return sum;
 }
 
+#if defined(__MINGW32__) && !defined(__FMA__)
+// The high half of the bits of a double, by a product with 2^27 + 1 (Veltkamp); not a number if
+// that overflows.
+inline double highHalf(double a) {
+	const double scaled = 134217729.0 * a;
+	return scaled - (scaled - a);
+}
+
+// a * b - product, by products of halves, each of which is a double (Dekker): mingw-w64's C library
+// rounds a fused product twice, which loses bits of the error.
+inline double errorByHalves(double a, double b, double product) {
+	const double aHigh = highHalf(a), bHigh = highHalf(b);
+	const double aLow = a - aHigh, bLow = b - bHigh;
+	return ((aHigh * bHigh - product) + aHigh * bLow + aLow * bHigh) + aLow * bLow;
+}
+#endif
+
 // a * b = product + error, exactly unless the error may be too small for a double.
 inline double twoProduct(double a, double b, double& error) {
 	const double product = a * b;
+#if defined(__MINGW32__) && !defined(__FMA__)
+	error = errorByHalves(a, b, product);
+#else
 	error = std::fma(a, b, -product);
+#endif
 	return product;
 }
 

@@ -249,7 +249,7 @@ TEST(DelaunayFlips, endOnACircleAsRounded) {
 	constexpr double kScale = 1LL << 29;
 	std::vector<PlanarPlace> circle;
 	for (std::uint32_t i = 0; i < kCorners; ++i) {
-		const double angle = 2 * M_PI * i / kCorners;
+		const double angle = 2 * std::acos(-1.0) * i / kCorners;
 		circle.push_back({std::cos(angle), std::sin(angle)});
 	}
 	std::sort(circle.begin(), circle.end());

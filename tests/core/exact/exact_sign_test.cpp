@@ -302,6 +302,19 @@ TEST(ExactSign, differencesOfDoublesAreExact) {
 	}
 }
 
+TEST(ExactSign, aProductAndItsErrorAreTheProduct) {
+	std::mt19937 random(9);
+	std::uniform_real_distribution<double> mantissa(-1, 1);
+	std::uniform_int_distribution<int> exponent(-430, 480);
+	for (int i = 0; i < 20000; ++i) {
+		const double a = std::ldexp(mantissa(random), exponent(random));
+		const double b = std::ldexp(mantissa(random), exponent(random));
+		double error;
+		const double product = twoProduct(a, b, error);
+		EXPECT_EQ(Rational(product) + Rational(error), Rational(a) * Rational(b)) << a << ' ' << b;
+	}
+}
+
 TEST(ExactSign, quotientsRoundToNearestAlsoWhereTheyAreDenormal) {
 	const auto quotient = [](double n, double scale, double d) {
 		return roundedQuotient(Dyadic(n) * Dyadic(scale), Dyadic(d));
