@@ -119,7 +119,13 @@ private:
 	void listCandidates();
 	void collectFaces();
 	void addFace(const RegionFace& face);
-	std::vector<std::uint32_t>& facesAt(std::uint32_t v) { return lists_[placeOf(v)]; }
+	// The faces at a place, without dead ones from here on.
+	const std::vector<std::uint32_t>& facesAt(std::uint32_t place) {
+		std::vector<std::uint32_t>& list = lists_[place];
+		const auto isDead = [this](std::uint32_t f) { return isAlive_[f] == 0; };
+		list.erase(std::remove_if(list.begin(), list.end(), isDead), list.end());
+		return list;
+	}
 	void sortByHash(std::vector<std::uint32_t>& vertices) const;
 	void tryRemove(std::uint32_t v);
 	bool listSectors(std::uint32_t v, std::vector<Sector>& sectors);
@@ -255,7 +261,7 @@ void RegionMerger::collectFaces() {
 void RegionMerger::addFace(const RegionFace& face) {
 	for (const std::uint32_t v : face.corners) {
 		if (isNear_[placeOf(v)] != 0) {
-			facesAt(v).push_back(static_cast<std::uint32_t>(faces_.size()));
+			lists_[placeOf(v)].push_back(static_cast<std::uint32_t>(faces_.size()));
 		}
 	}
 	faces_.push_back(face);
@@ -280,11 +286,7 @@ void RegionMerger::sortByHash(std::vector<std::uint32_t>& vertices) const {
 
 // The edges opposite a vertex by their places. False if there are none, or too many.
 bool RegionMerger::listSectors(std::uint32_t v, std::vector<Sector>& sectors) {
-	std::vector<std::uint32_t>& list = facesAt(v);
-	list.erase(std::remove_if(list.begin(), list.end(),
-	                          [this](std::uint32_t f) { return isAlive_[f] == 0; }),
-	           list.end());
-	for (const std::uint32_t f : list) {
+	for (const std::uint32_t f : facesAt(placeOf(v))) {
 		const IndexTriangle& t = faces_[f].corners;
 		const std::size_t i = t[0] == v ? 0 : t[1] == v ? 1 : 2;
 		sectors.push_back({t[(i + 1) % 3], t[(i + 2) % 3], f});
@@ -438,14 +440,14 @@ std::size_t RegionMerger::outsideFacesAt(const Edge& edge, std::uint32_t v) {
 	const std::uint32_t shorter = edge[firstIsShorter ? 0 : 1],
 	                    other = edge[firstIsShorter ? 1 : 0];
 	std::size_t count = 0;
-	for (const std::uint32_t f : lists_[shorter]) {
+	for (const std::uint32_t f : facesAt(shorter)) {
 		const IndexTriangle& t = faces_[f].corners;
 		bool hasOther = false, hasVertex = false;
 		for (const std::uint32_t corner : t) {
 			hasOther = hasOther || placeOf(corner) == other;
 			hasVertex = hasVertex || corner == v;
 		}
-		count += isAlive_[f] != 0 && hasOther && !hasVertex ? 1 : 0;
+		count += hasOther && !hasVertex ? 1 : 0;
 	}
 	return count;
 }
@@ -455,11 +457,10 @@ bool RegionMerger::isFaceElsewhere(const IndexTriangle& t, std::uint32_t v) {
 	const auto has = [this](const IndexTriangle& face, std::uint32_t place) {
 		return placeOf(face[0]) == place || placeOf(face[1]) == place || placeOf(face[2]) == place;
 	};
-	const std::vector<std::uint32_t>& list = lists_[placeOf(t[0])];
+	const std::vector<std::uint32_t>& list = facesAt(placeOf(t[0]));
 	return std::any_of(list.begin(), list.end(), [&](std::uint32_t f) {
 		const IndexTriangle& face = faces_[f].corners;
-		return isAlive_[f] != 0 && has(face, placeOf(t[1])) && has(face, placeOf(t[2])) &&
-		       !has(face, placeOf(v));
+		return has(face, placeOf(t[1])) && has(face, placeOf(t[2])) && !has(face, placeOf(v));
 	});
 }
 
