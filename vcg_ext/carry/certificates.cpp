@@ -24,8 +24,10 @@ Status findSuspects(const Arrangement& arrangement, const SourcedMesh& mesh, Mon
                     std::vector<std::uint8_t>& isSuspect) {
 	constexpr std::size_t kGrain = 1 << 14;
 	// What was arranged again as stored, or merged, is looked at as a whole: parts of the first
-	// arrangement may have come to lie on one another.
-	const bool areAll = arrangement.again != nullptr || mesh.wallMerge.vertices > 0;
+	// arrangement may have come to lie on one another. So are faces from which others without area
+	// were taken away: a corner may have gone to one that is not rounded.
+	const bool areAll = arrangement.again != nullptr || mesh.wallMerge.vertices > 0 ||
+	                    mesh.zeroAreaFacesRemoved > 0;
 	isSuspect.assign(mesh.triangles.size(), areAll ? 1 : 0);
 	if (areAll) {
 		return {};
