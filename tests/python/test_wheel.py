@@ -13,7 +13,7 @@ from pathlib import Path
 import pytest
 
 ROOT = Path(__file__).resolve().parents[2]
-LARGEST = 1_500_000  # bytes; docs/hosts.md states the size
+LARGEST = 1_600_000  # bytes; docs/hosts.md states the size
 
 
 @pytest.fixture(scope="module")
