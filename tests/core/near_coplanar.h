@@ -48,6 +48,17 @@ inline Mesh squaredCube(std::uint32_t n, std::mt19937& random) {
 	return m;
 }
 
+// A class for each face of a unit cube: one below the middle of an axis, and one above.
+inline std::vector<std::uint32_t> classesByHalf(const Mesh& m, std::size_t axis,
+                                                std::uint32_t below, std::uint32_t above) {
+	std::vector<std::uint32_t> classes;
+	for (const IndexTriangle& t : m.triangles) {
+		const double sum = m.points[t[0]][axis] + m.points[t[1]][axis] + m.points[t[2]][axis];
+		classes.push_back(sum < 1.5 ? below : above);
+	}
+	return classes;
+}
+
 // Each coordinate moved by chance, by less than a size.
 inline Mesh shaken(Mesh m, double size, std::mt19937& random) {
 	std::uniform_real_distribution<double> move(-size, size);

@@ -10,6 +10,7 @@
 #include "vcg_ext/base/bucket_sort.h"
 #include "vcg_ext/base/groups.h"
 #include "vcg_ext/base/parallel.h"
+#include "vcg_ext/base/vectors.h"
 #include "vcg_ext/exact/exact_sign.h"
 
 #include <algorithm>
@@ -64,8 +65,6 @@ struct Wedge {
 	RoundedNormal normal;
 	double length;  // of the normal
 };
-
-double dot(const Point& a, const Point& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
 // One open star. Reused, for its memory.
 class Star {

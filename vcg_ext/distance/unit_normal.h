@@ -5,23 +5,9 @@
 // what it says of the distance from a plane is wrong by a few units in the last place only.
 #pragma once
 
-#include "vcg_ext/base/point.h"
+#include "vcg_ext/base/vectors.h"
 
 namespace index_boolean {
-
-// Vectors: a - b, the scalar product, the cross product, and a vector times a number.
-inline Point minus(const Point& a, const Point& b) {
-	return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
-}
-inline double dot(const Point& a, const Point& b) {
-	return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-inline Point cross(const Point& a, const Point& b) {
-	return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-inline Point times(const Point& a, double factor) {
-	return {a[0] * factor, a[1] * factor, a[2] * factor};
-}
 
 // A vector of length 1; zero if the given one is, or is not finite. Any magnitude. Complexity:
 // O(1).

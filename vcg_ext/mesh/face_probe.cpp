@@ -2,37 +2,23 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "vcg_ext/mesh/face_probe.h"
 
+#include "vcg_ext/base/vectors.h"
+
 #include <algorithm>
 #include <cmath>
 
 namespace index_boolean {
-
-namespace {
-
-double dot(const Point& a, const Point& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-
-Point minus(const Point& a, const Point& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
-
-double distanceToSegment(const Point& p, const Point& a, const Point& b) {
-	const Point along = minus(b, a), to = minus(p, a);
-	const double length = dot(along, along);
-	const double t = length > 0 ? std::clamp(dot(to, along) / length, 0.0, 1.0) : 0;
-	const Point off{to[0] - t * along[0], to[1] - t * along[1], to[2] - t * along[2]};
-	return std::sqrt(dot(off, off));
-}
-
-}  // namespace
 
 double distanceToTriangle(const Point& p, const std::array<Point, 3>& t) {
 	const Point u = minus(t[1], t[0]), v = minus(t[2], t[0]), w = minus(p, t[0]);
 	const double uu = dot(u, u), uv = dot(u, v), vv = dot(v, v), uw = dot(u, w), vw = dot(v, w);
 	const double size = uu * vv - uv * uv;
 	const double s = uw * vv - vw * uv, r = vw * uu - uw * uv;
-	double least = std::min({distanceToSegment(p, t[0], t[1]), distanceToSegment(p, t[1], t[2]),
-	                         distanceToSegment(p, t[2], t[0])});
+	double least = std::sqrt(
+	    std::min({squaredDistanceToSegment(p, t[0], t[1]), squaredDistanceToSegment(p, t[1], t[2]),
+	              squaredDistanceToSegment(p, t[2], t[0])}));
 	if (size > 0 && s >= 0 && r >= 0 && s + r <= size) {
-		const Point n{u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2],
-		              u[0] * v[1] - u[1] * v[0]};
+		const Point n = cross(u, v);
 		least = std::min(least, std::fabs(dot(n, w)) / std::sqrt(dot(n, n)));
 	}
 	return least;

@@ -31,6 +31,7 @@
 
 #include "vcg_ext/base/parallel.h"
 #include "vcg_ext/base/sorted_list.h"
+#include "vcg_ext/base/vectors.h"
 #include "vcg_ext/exact/coordinate_hash.h"
 #include "vcg_ext/exact/polygon_fill.h"
 #include "vcg_ext/mesh/region_flips.h"
@@ -65,28 +66,6 @@ struct Change {
 	std::vector<std::array<std::uint32_t, 2>> vanished;  // edges on which a run has vanished
 	std::uint32_t target = kNone;                        // what the vertex goes to, if to any
 };
-
-double squaredDistance(const Point& a, const Point& b) {
-	double sum = 0;
-	for (std::size_t i = 0; i < 3; ++i) {
-		sum += (a[i] - b[i]) * (a[i] - b[i]);
-	}
-	return sum;
-}
-
-double squaredDistanceToSegment(const Point& p, const Point& a, const Point& b) {
-	double along = 0, length = 0;
-	for (std::size_t i = 0; i < 3; ++i) {
-		along += (p[i] - a[i]) * (b[i] - a[i]);
-		length += (b[i] - a[i]) * (b[i] - a[i]);
-	}
-	const double t = length > 0 ? std::clamp(along / length, 0.0, 1.0) : 0;
-	Point foot;
-	for (std::size_t i = 0; i < 3; ++i) {
-		foot[i] = a[i] + t * (b[i] - a[i]);
-	}
-	return squaredDistance(p, foot);
-}
 
 class RegionMerger {
 public:
@@ -126,7 +105,6 @@ private:
 		list.erase(std::remove_if(list.begin(), list.end(), isDead), list.end());
 		return list;
 	}
-	void sortByHash(std::vector<std::uint32_t>& vertices) const;
 	void tryRemove(std::uint32_t v);
 	bool listSectors(std::uint32_t v, std::vector<Sector>& sectors);
 	bool listRuns(const std::vector<Sector>& sectors, std::vector<Run>& runs) const;
@@ -266,22 +244,6 @@ void RegionMerger::addFace(const RegionFace& face) {
 	}
 	faces_.push_back(face);
 	isAlive_.push_back(1);
-}
-
-void RegionMerger::sortByHash(std::vector<std::uint32_t>& vertices) const {
-	struct Hashed {
-		std::uint64_t hash;
-		std::uint32_t vertex;
-	};
-	std::vector<Hashed> hashed;
-	for (const std::uint32_t v : vertices) {
-		hashed.push_back({coordinateHash(at(v)), v});
-	}
-	std::sort(hashed.begin(), hashed.end(), [this](const Hashed& a, const Hashed& b) {
-		return a.hash != b.hash ? a.hash < b.hash : at(a.vertex) < at(b.vertex);
-	});
-	std::transform(hashed.begin(), hashed.end(), vertices.begin(),
-	               [](const Hashed& h) { return h.vertex; });
 }
 
 // The edges opposite a vertex by their places. False if there are none, or too many.
@@ -634,7 +596,9 @@ Status RegionMerger::run(MergedFaces& out) {
 	std::vector<std::uint32_t> round = std::move(candidates_);
 	Status status;
 	while (!round.empty() && status.ok()) {
-		sortByHash(round);
+		sortByHash(
+		    round, [this](std::uint32_t v) { return at(v); },
+		    [this](std::uint32_t v, std::uint32_t w) { return at(v) < at(w); });
 		again_.clear();
 		status = inOrderFor(round.size(), kPoll, monitor_, [&](std::size_t begin, std::size_t end) {
 			for (std::size_t i = begin; i < end; ++i) {

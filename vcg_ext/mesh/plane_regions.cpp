@@ -10,6 +10,7 @@
 
 #include "vcg_ext/base/edge_buckets.h"
 #include "vcg_ext/base/parallel.h"
+#include "vcg_ext/base/vectors.h"
 #include "vcg_ext/exact/exact_sign.h"
 
 #include <algorithm>
@@ -21,14 +22,6 @@ namespace {
 
 constexpr std::size_t kGrain = 1 << 12;
 constexpr int kMostFits = 16;
-
-Point minus(const Point& a, const Point& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
-
-Point cross(const Point& a, const Point& b) {
-	return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-
-double squared(const Point& a) { return a[0] * a[0] + a[1] * a[1] + a[2] * a[2]; }
 
 // A face's corners in lexicographic order, and the cross product of its sides, front up.
 struct SortedFace {
@@ -141,7 +134,7 @@ Status RegionGrower::findNeighbours() {
 bool RegionGrower::isNearApex(std::uint32_t face, std::uint32_t other) const {
 	const Point& normal = normals_[other];
 	const Point& origin = surface_.points[surface_.triangles[other][0]];
-	const double length = std::sqrt(squared(normal));
+	const double length = std::sqrt(dot(normal, normal));
 	const IndexTriangle& t = surface_.triangles[face];
 	return std::all_of(t.begin(), t.end(), [&](std::uint32_t v) {
 		const Point d = minus(surface_.points[v], origin);
@@ -183,7 +176,7 @@ void RegionGrower::sortSeeds() {
 	for (std::uint32_t f = 0; f < isCandidate_.size(); ++f) {
 		if (isCandidate_[f] != 0) {
 			const SortedFace sorted(surface_.points, surface_.triangles[f]);
-			seeds.push_back({squared(normals_[f]), sorted.corners, f});
+			seeds.push_back({dot(normals_[f], normals_[f]), sorted.corners, f});
 		}
 	}
 	std::sort(seeds.begin(), seeds.end(), [](const Seed& a, const Seed& b) {
@@ -308,10 +301,10 @@ NearPlane planeOfFace(const Points& points, const IndexTriangle& face) {
 
 FaceSize sizeOfFace(const Points& points, const IndexTriangle& face) {
 	const SortedFace sorted(points, face);
-	const double longest = std::max({squared(minus(sorted.corners[1], sorted.corners[0])),
-	                                 squared(minus(sorted.corners[2], sorted.corners[1])),
-	                                 squared(minus(sorted.corners[2], sorted.corners[0]))});
-	const double area = squared(sorted.normal);
+	const double longest = std::max({squaredDistance(sorted.corners[0], sorted.corners[1]),
+	                                 squaredDistance(sorted.corners[1], sorted.corners[2]),
+	                                 squaredDistance(sorted.corners[0], sorted.corners[2])});
+	const double area = dot(sorted.normal, sorted.normal);
 	return {area, longest > 0 ? std::sqrt(area / longest) : 0};
 }
 

@@ -68,30 +68,6 @@ struct Hole {
 	std::uint32_t origin;                // theirs too
 };
 
-// Whether the name of a vertex says that it lies in the plane of an input face.
-bool isInPlaneByName(const Arrangement& arrangement, VertexId v, FaceId face) {
-	const Triangle& corners = at(arrangement.mesh.triangles, face);
-	const auto isCorner = [&corners](std::uint32_t id) {
-		return std::find(corners.begin(), corners.end(), VertexId{id}) != corners.end();
-	};
-	if (!arrangement.isCurvePoint(v)) {
-		return isCorner(v.value);
-	}
-	const PointName& name = at(arrangement.curve.names, arrangement.pointOf(v));
-	const bool isOnEdge = isCorner(name.ids[0]) && isCorner(name.ids[1]);
-	switch (name.kind) {
-	case PointKind::EdgeFace:
-		return name.ids[2] == face.value || isOnEdge;
-	case PointKind::EdgeEdge:
-		return isOnEdge || (isCorner(name.ids[2]) && isCorner(name.ids[3]));
-	case PointKind::Vertex:
-	case PointKind::OnEdge:
-	case PointKind::FaceFaceFace:
-		return false;
-	}
-	return false;
-}
-
 class Merger {
 public:
 	Merger(const Arrangement& arrangement, Monitor& monitor, Block& block)
@@ -110,8 +86,8 @@ private:
 	bool findStar(std::uint32_t v, Star& star) const;
 	bool listHoles(std::uint32_t v, const Star& star, std::vector<Hole>& holes) const;
 	Hole holeOf(const Star& star, std::size_t begin, std::size_t end) const;
-	bool isStraight(std::uint32_t a, std::uint32_t v, std::uint32_t b, std::uint32_t face) const;
-	bool isStraightByName(const std::array<std::uint32_t, 3>& vertices, FaceId plane) const;
+	bool isStraight(std::uint32_t a, std::uint32_t v, std::uint32_t b, std::uint32_t face,
+	                std::uint32_t other) const;
 	bool fill(const Hole& hole, std::uint32_t v, std::vector<StarFace>& out) const;
 	bool isFree(std::uint32_t a, std::uint32_t b) const;
 	void tryRemove(std::uint32_t v);
@@ -238,19 +214,9 @@ void Merger::groupFaces() {
 
 // \pre no two candidates are copies of one vertex
 void Merger::sortCandidates() {
-	struct Hashed {
-		std::uint64_t hash;
-		std::uint32_t vertex;
-	};
-	std::vector<Hashed> hashed;
-	for (const std::uint32_t v : candidates_) {
-		hashed.push_back({coordinateHash(roundedPlace(v)), v});
-	}
-	std::sort(hashed.begin(), hashed.end(), [this](const Hashed& a, const Hashed& b) {
-		return a.hash != b.hash ? a.hash < b.hash : isBefore(a.vertex, b.vertex);
-	});
-	std::transform(hashed.begin(), hashed.end(), candidates_.begin(),
-	               [](const Hashed& h) { return h.vertex; });
+	sortByHash(
+	    candidates_, [this](std::uint32_t v) { return roundedPlace(v); },
+	    [this](std::uint32_t v, std::uint32_t w) { return isBefore(v, w); });
 }
 
 // The edges opposite a vertex, in any order.
@@ -346,42 +312,21 @@ Hole Merger::holeOf(const Star& star, std::size_t begin, std::size_t end) const 
 	return hole;
 }
 
-// Whether three vertices in a plane are in one line since their names say that they lie in one
-// other plane, that of the face in which an edge ends at the first. Mostly so, and then a line
-// needs no arithmetic with rounded quotients.
-bool Merger::isStraightByName(const std::array<std::uint32_t, 3>& vertices, FaceId plane) const {
-	const VertexId v = block_.vertexSource[vertices[0]];
-	if (v == VertexId::none() || !arrangement_.isCurvePoint(v)) {
-		return false;
-	}
-	const PointName& name = at(arrangement_.curve.names, arrangement_.pointOf(v));
-	if (name.kind != PointKind::EdgeFace) {
-		return false;
-	}
-	const FaceId other{name.ids[2]};
-	const auto isInOther = [&](std::uint32_t w) {
-		const VertexId source = block_.vertexSource[w];
-		return source != VertexId::none() && isInPlaneByName(arrangement_, source, other);
-	};
-	const auto pointOf = [&](VertexId w) -> const Point& { return at(mesh_.points, w); };
-	const Triangle& t = at(mesh_.triangles, plane);
+// Whether v lies in a straight line between a and b, which all lie in the planes of two faces.
+// Where that is not one plane they do: seldom is there a need for exact points.
+bool Merger::isStraight(std::uint32_t a, std::uint32_t v, std::uint32_t b, std::uint32_t face,
+                        std::uint32_t other) const {
+	const Triangle& s = at(mesh_.triangles, sourceOf(face).face);
+	const Triangle& t = at(mesh_.triangles, sourceOf(other).face);
+	const auto pointOf = [this](VertexId w) -> const Point& { return at(mesh_.points, w); };
 	const auto isOutOfPlane = [&](VertexId corner) {
-		return orient3d(pointOf(t[0]), pointOf(t[1]), pointOf(t[2]), pointOf(corner)) != 0;
+		return orient3d(pointOf(s[0]), pointOf(s[1]), pointOf(s[2]), pointOf(corner)) != 0;
 	};
-	const Triangle& corners = at(mesh_.triangles, other);
-	return isInOther(vertices[1]) && isInOther(vertices[2]) &&
-	       std::any_of(corners.begin(), corners.end(), isOutOfPlane);
-}
-
-// Whether v lies in a straight line between a and b, all in the plane of a face.
-bool Merger::isStraight(std::uint32_t a, std::uint32_t v, std::uint32_t b,
-                        std::uint32_t face) const {
-	const FaceId plane = sourceOf(face).face;
-	if (isStraightByName({v, a, b}, plane)) {
+	if (std::any_of(t.begin(), t.end(), isOutOfPlane)) {
 		return true;
 	}
 	int sign = 0;
-	const int axis = projectionAxis(at(mesh_.triangles, plane), mesh_.points, sign);
+	const int axis = projectionAxis(s, mesh_.points, sign);
 	return orient2d(exact(a), exact(v), exact(b), axis) == 0;
 }
 
@@ -404,7 +349,7 @@ bool Merger::listHoles(std::uint32_t v, const Star& star, std::vector<Hole>& hol
 		return false;
 	}
 	const std::uint32_t a = star[changes[0]].from, b = star[changes[1]].from;
-	if (!isStraight(a, v, b, star[0].face) || !isFree(a, b)) {
+	if (!isStraight(a, v, b, star[changes[0]].face, star[changes[1]].face) || !isFree(a, b)) {
 		return false;
 	}
 	holes.push_back(holeOf(star, changes[0], changes[1]));

@@ -105,14 +105,7 @@ TEST(MergeNearCoplanar, aBallStaysBelowItsSagittaAndHoldsAboveIt) {
 TEST(MergeNearCoplanar, classesKeepTheirBorders) {
 	std::mt19937 random(8);
 	const Mesh cube = shaken(squaredCube(4, random), 1e-12, random);
-	std::vector<std::uint32_t> classes;
-	for (const IndexTriangle& t : cube.triangles) {
-		double middle = 0;
-		for (const std::uint32_t v : t) {
-			middle += cube.points[v][0] / 3;
-		}
-		classes.push_back(middle < 0.5 ? 3 : 8);
-	}
+	const std::vector<std::uint32_t> classes = classesByHalf(cube, 0, 3, 8);
 	const Merged result = merged(cube, 1e-11, classes);
 	EXPECT_EQ(result.triangles.size(), 20U);  // two boxes without the wall between
 	std::array<double, 2> area{};

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Cuts that part nothing leave no trace, and coplanar neighbours become one face where asked for.
+#include "core/near_coplanar.h"
 #include "core/shapes.h"
 
 #include <vcg_ext/arrange/places.h>
@@ -302,6 +303,49 @@ TEST(MergeCoplanar, aRowOfCubesBecomesOneBox) {
 	EXPECT_EQ(geometry(r.blocks[kUnion]).size(), 12u);
 	EXPECT_DOUBLE_EQ(r.volume(Operation::Union), 7);
 	EXPECT_EQ(r.audit.blocks[kUnion].components, 1u);
+}
+
+// The area of the faces of one class in the plane z = 1.
+double areaOfTop(const Block& block, const std::vector<std::uint32_t>& classes,
+                 std::uint32_t wanted) {
+	double area = 0;
+	for (std::size_t f = 0; f < block.triangles.size(); ++f) {
+		const IndexTriangle& t = block.triangles[f];
+		const Point &p = block.points[t[0]], &q = block.points[t[1]], &r = block.points[t[2]];
+		const bool isTop = p[2] == 1 && q[2] == 1 && r[2] == 1;
+		if (isTop && classes[block.faceSource[f].face.value] == wanted) {
+			area += ((q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0])) / 2;
+		}
+	}
+	return area;
+}
+
+// In one plane, a border between two classes may bend: a quarter, and an L around it.
+TEST(MergeCoplanar, aBentBorderOfClassesStays) {
+	for (std::uint32_t seed = 0; seed < 20; ++seed) {
+		SCOPED_TRACE("seed " + std::to_string(seed));
+		std::mt19937 random(seed);
+		Mesh cube = squaredCube(4, random);
+		const Mesh far = box({99, 9, 9}, {100, 10, 10});
+		const std::vector<std::uint32_t> columns = classesByHalf(cube, 0, 0, 1);
+		std::vector<std::uint32_t> classes = classesByHalf(cube, 1, 0, 1);
+		for (std::size_t f = 0; f < classes.size(); ++f) {
+			classes[f] = classes[f] == 1 && columns[f] == 1 ? 7 : 5;
+		}
+		for (Point& p : cube.points) {
+			p[0] += seed;  // vertices go in another order elsewhere
+		}
+		MeshArrays input = arrays(cube, far);
+		input.faceClass = {classes, std::vector<std::uint32_t>(12, 9)};
+		Monitor monitor;
+		Arrangement arrangement;
+		ASSERT_TRUE(arrange(std::move(input), withCoplanar(), monitor, arrangement).ok());
+		Block block;
+		ASSERT_TRUE(extractBlock(arrangement, Operation::FirstMinusSecond, monitor, block).ok());
+		EXPECT_EQ(areaOfTop(block, classes, 7), 0.25);
+		EXPECT_EQ(areaOfTop(block, classes, 5), 0.75);
+		EXPECT_LT(block.points.size(), cube.points.size() / 2);
+	}
 }
 
 TEST(MergeCoplanar, aRoundSurfaceStaysAsItIs) {

@@ -121,15 +121,7 @@ TEST(MergeWalls, facesOfOtherClassesStayApart) {
 	for (const bool isClassed : {false, true}) {
 		MeshArrays input = arrays(a, b);
 		if (isClassed) {  // by columns of squares
-			std::vector<std::uint32_t> classes;
-			for (const IndexTriangle& t : a.triangles) {
-				double middle = 0;
-				for (const std::uint32_t v : t) {
-					middle += a.points[v][1] / 3;
-				}
-				classes.push_back(middle < 0.5 ? 0 : 1);
-			}
-			input.faceClass = {classes, std::vector<std::uint32_t>(12, 2)};
+			input.faceClass = {classesByHalf(a, 1, 0, 1), std::vector<std::uint32_t>(12, 2)};
 		}
 		Monitor monitor;
 		Arrangement arrangement;
