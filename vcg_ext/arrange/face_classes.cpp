@@ -23,16 +23,19 @@ std::vector<std::uint32_t> polygonsOfSeveral(const Arrangement& arrangement) {
 
 }  // namespace
 
+std::array<std::uint32_t, 2> givenClassOf(const Arrangement& arrangement, FaceId face) {
+	const MeshArrays& mesh = arrangement.mesh;
+	const std::vector<std::uint32_t>& given = mesh.faceClass[mesh.operandOf(face)];
+	return given.empty() ? std::array{0u, 0u} : std::array{1u, given[arrangement.givenFace(face)]};
+}
+
 void listFaceClasses(const Arrangement& arrangement, const HugeVector<FaceSource>& sources,
                      std::vector<std::uint32_t>& classes) {
-	const MeshArrays& mesh = arrangement.mesh;
 	const std::vector<std::uint32_t> polygons = polygonsOfSeveral(arrangement);
 	std::map<std::array<std::uint32_t, 3>, std::uint32_t> numbers;
 	const auto classOf = [&](FaceId face) {
-		const std::vector<std::uint32_t>& given = mesh.faceClass[mesh.operandOf(face)];
-		return std::array{given.empty() ? 0u : 1u,
-		                  given.empty() ? 0u : given[arrangement.givenFace(face)],
-		                  polygons.empty() ? kNone : polygons[face.value]};
+		const std::array<std::uint32_t, 2> given = givenClassOf(arrangement, face);
+		return std::array{given[0], given[1], polygons.empty() ? kNone : polygons[face.value]};
 	};
 	classes.clear();
 	classes.reserve(sources.size());

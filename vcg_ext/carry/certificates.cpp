@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Index Boolean authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Only a face with a rounded corner can have come to meet another one wrongly.
+// Only a face with a rounded corner can have come to meet another one wrongly, or one that has been
+// given other corners since.
 #include "vcg_ext/carry/certificates.h"
 
 #include "vcg_ext/arrange/places.h"

@@ -164,7 +164,7 @@ void Marker::markIntact() {
 // Leaves out the faces with a vertex all of whose faces are of their side of the polygon. Where
 // there are several parts the mesh may have a border, which such a vertex may be on.
 void Marker::findInside() {
-	constexpr std::uint32_t kNone = 0xffffffff, kSeveral = 0xfffffffe;
+	constexpr std::uint32_t kSeveral = kNone - 1;
 	if (!part_.empty()) {
 		return;
 	}

@@ -138,14 +138,14 @@ Status auditClip(const Arrangement& arrangement, const SubSurfaces& surfaces,
 	BoundingBox box{};
 	Status status = findBoundingBox(points.data(), points.size(), options.threads, monitor, box);
 	double area = 0;
+	std::size_t faces = mesh.triangles.size();  // and those that these stand for
 	for (const SubSurfaceId s : surfaces.ofOperand[clip.surface]) {
-		area += isInClip(blocks, options.windingRule, clip, s) ? at(surfaces.all, s).area : 0;
+		if (isInClip(blocks, options.windingRule, clip, s)) {
+			area += at(surfaces.all, s).area;
+			faces += at(surfaces.all, s).faceCount;
+		}
 	}
 	measure = measureSurface(mesh.points, mesh.triangles, options.threads);
-	std::size_t faces = mesh.triangles.size();
-	for (const SubSurfaceId s : surfaces.ofOperand[clip.surface]) {
-		faces += at(surfaces.all, s).faceCount;
-	}
 	const Rounding delivered(box, options.outputScalar, mostMoved(arrangement));
 	// Where faces have been cleaned away, sheets that rounding has laid on each other are, too; and
 	// what was arranged again as stored is without its folds.

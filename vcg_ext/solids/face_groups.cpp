@@ -4,6 +4,7 @@
 // By input face a group is a number that is known; by plane, neighbours are united.
 #include "vcg_ext/solids/face_groups.h"
 
+#include "vcg_ext/arrange/face_classes.h"
 #include "vcg_ext/arrange/joined_polygons.h"
 #include "vcg_ext/base/edge_table.h"
 #include "vcg_ext/base/union_find.h"
@@ -25,20 +26,12 @@ Faces groupsByParent(const Arrangement& arrangement, const Block& block, const F
 	return groups;
 }
 
-// What the face must have in common with others to become one with them; see MeshArrays.
-std::array<std::uint32_t, 2> classOf(const Arrangement& arrangement, FaceId face) {
-	const MeshArrays& mesh = arrangement.mesh;
-	const std::vector<std::uint32_t>& classes = mesh.faceClass[mesh.operandOf(face)];
-	return classes.empty() ? std::array{0u, 0u}
-	                       : std::array{1u, classes[arrangement.givenFace(face)]};
-}
-
 // Whether two neighbouring faces lie in one plane, with fronts to the same side, and may be one.
 bool areOne(const Arrangement& arrangement, const FaceSource& a, const FaceSource& b) {
 	if (a.face == b.face) {
 		return a.turned == b.turned;
 	}
-	if (classOf(arrangement, a.face) != classOf(arrangement, b.face)) {
+	if (givenClassOf(arrangement, a.face) != givenClassOf(arrangement, b.face)) {
 		return false;
 	}
 	const int front = commonFront(arrangement.mesh, a.face, b.face);
