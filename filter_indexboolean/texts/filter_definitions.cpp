@@ -13,17 +13,16 @@ namespace index_boolean {
 
 namespace {
 
+// Short: in MeshLab's windows a dialog is as high as its help and all its parameters.
 const char* const kPaper =
-    "<br>See:<br>"
-    "<i>Gang Mei, John C. Tipper</i><br>"
-    "<b>\"Simple and Robust Boolean Operations for Triangulated Surfaces\"</b><br>"
-    "arXiv:1308.4434, 2013; with <i>Meijun Zhou, Jiayu Qin</i>: Mathematics 11(12), 2713, 2023";
+    "After <i>Mei and Tipper</i>, <b>\"Simple and Robust Boolean Operations for Triangulated "
+    "Surfaces\"</b>, arXiv:1308.4434, 2013";
 
 const char* const kBooleanHelp =
     "Intersects two closed layers <b>once</b> and adds a new layer for each block asked for: "
     "union, intersection, both differences, symmetric difference.<br>"
-    "<b>Exact:</b> there is no tolerance; new points are rounded once, faces that are not cut keep "
-    "every bit of their coordinates, and the new layers are closed.<br>"
+    "<b>Exact:</b> new points are rounded once, faces that are not cut keep every bit of their "
+    "coordinates, and the new layers are closed.<br>"
     "<b>The layers</b> must be closed and consistently oriented, with any number of components and "
     "cavities. One that meets itself is resolved, one that is inside out is turned, and the log "
     "says so. One that cannot be used is refused with its defect and what to do, and the faces in "
@@ -43,8 +42,7 @@ const char* const kCurvesHelp =
 const char* const kSplitHelp =
     "Cuts two layers by each other, open or closed, or any number of them, and gives <b>every "
     "piece</b>: the <i>sub-surfaces</i> that each layer falls into, and the <i>sub-blocks</i>, the "
-    "closed parts of space that all layers together bound. So a surface is cut by a surface, a "
-    "solid by a sheet, a block by faults and horizons.<br>"
+    "closed parts of space that all layers together bound.<br>"
     "It also <b>clips</b>: an open surface by a closed one, to what lies inside it or outside. "
     "What lies on it counts as inside.<br>"
     "All decisions are exact. A line that ends inside a surface does not part it; a sheet that "
@@ -53,10 +51,10 @@ const char* const kSplitHelp =
     "first, 1 second; or the number in the list), <b>source_face</b> (its face in that layer), "
     "<b>sub_surface</b>, "
     "<b>block_front</b> and <b>block_back</b> (the sub-blocks on its two sides), faces of "
-    "sub-blocks <b>sub_block</b> too; numbers start at 0, -1 is the outside. They do not depend on "
-    "the order of vertices and faces.<br>"
+    "sub-blocks <b>sub_block</b> too; numbers start at 0, -1 is the outside.<br>"
     "The layers' matrices are applied. A layer that meets itself is cut by itself, too.<br>";
 
+// The grammar is as wide as a dialog may be, so that it is low: MeshLab 2020.09 scrolls no dialog.
 const char* const kExpressionHelp =
     "Intersects <b>any number of closed layers once</b> and adds a new layer for each statement of "
     "an expression over them.<br>"
@@ -64,48 +62,40 @@ const char* const kExpressionHelp =
     "(<tt>\"left wall\"</tt>; <tt>\\\"</tt> is a quote in it). <tt>visible</tt> and <tt>all</tt> "
     "are lists of layers, but for those without faces and those that this plugin has made.<br>"
     "<b>Operators</b>, in Python's precedence: <tt>~a</tt> not; <tt>a * b</tt>, <tt>a &amp; b</tt> "
-    "both; <tt>a + b</tt>, <tt>a | b</tt> one or both; <tt>a - b</tt> first and not second; "
-    "<tt>a ^ b</tt> one of them.<br>"
+    "both; <tt>a + b</tt>, <tt>a | b</tt> any; <tt>a - b</tt> a without b; <tt>a ^ b</tt> one.<br>"
     "<b>Functions</b> take layers, lists and expressions: <tt>union</tt>, <tt>intersection</tt>, "
     "<tt>difference</tt> (the first without all others), <tt>xor</tt> (an odd number of them), "
     "<tt>at_least(2, all)</tt>. Behind a single layer that comes first a list leaves that one out: "
     "<tt>difference(3, all)</tt>. Of one layer that meets itself: <tt>odd(a)</tt>, "
-    "<tt>positive(a)</tt>, <tt>nonzero(a)</tt> and <tt>winding(a, 2)</tt>, around which the layer "
-    "winds at least twice.<br>"
+    "<tt>positive(a)</tt>, <tt>nonzero(a)</tt>, <tt>winding(a, 2)</tt> (twice around, or more).<br>"
     "<b>Statements</b> are separated by <tt>;</tt> and may have a name, which is the label of the "
     "new layer and can be used in later ones: "
-    "<tt>walls = 0 - 1; rest = at_least(2, all) - walls</tt>.<br>"
-    "<b>Grammar:</b><pre>"
-    "text      = statement { \";\" statement } [ \";\" ]\n"
-    "statement = [ name \"=\" ] or\n"
-    "or        = xor { \"|\" xor }\n"
-    "xor       = and { \"^\" and }\n"
-    "and       = sum { \"&amp;\" sum }\n"
-    "sum       = product { (\"+\" | \"-\") product }\n"
-    "product   = factor { \"*\" factor }\n"
-    "factor    = \"~\" factor | \"(\" or \")\" | operand | name | call\n"
-    "call      = (\"union\" | \"intersection\" | \"difference\" | \"xor\")\n"
-    "                \"(\" item { \",\" item } \")\"\n"
-    "          | \"at_least\" \"(\" digits \",\" item { \",\" item } \")\"\n"
-    "          | \"winding\" \"(\" operand \",\" [ \"-\" ] digits \")\"\n"
-    "          | (\"odd\" | \"positive\" | \"nonzero\") \"(\" operand \")\"\n"
-    "item      = \"visible\" | \"all\" | or\n"
-    "operand   = digits | '\"' { any but \" and \\ | \\\" | \\\\ } '\"'\n"
-    "name      = letter or _ { letter, digit or _ }</pre>"
-    "What does not read is refused, with the place. A statement that is true of the outside is, "
-    "too; a part of it may be.<br>"
-    "<b>Exact:</b> there is no tolerance; new points are rounded once, and the new layers are "
-    "closed. The layers must be closed; one that meets itself is what its winding rule calls "
-    "inside. Their matrices are applied. An empty result is an empty layer.<br>";
+    "<tt>walls = 0 - 1; rest = at_least(2, all) - walls</tt>.<pre>"
+    "text = statement { \";\" statement } [ \";\" ]    statement = [ name \"=\" ] or    "
+    "item = \"visible\" | \"all\" | or\n"
+    "or = xor { \"|\" xor }    xor = and { \"^\" and }    and = sum { \"&amp;\" sum }    "
+    "sum = product { (\"+\" | \"-\") product }\n"
+    "product = factor { \"*\" factor }    factor = \"~\" factor | \"(\" or \")\" | operand | name "
+    "| call\n"
+    "call = (\"union\" | \"intersection\" | \"difference\" | \"xor\") "
+    "\"(\" item { \",\" item } \")\"\n"
+    "     | \"at_least\" \"(\" digits \",\" item { \",\" item } \")\" "
+    "| (\"odd\" | \"positive\" | \"nonzero\") \"(\" operand \")\"\n"
+    "     | \"winding\" \"(\" operand \",\" [ \"-\" ] digits \")\"\n"
+    "name = letter or _ { letter, digit or _ }    "
+    "operand = digits | '\"' { any but \" and \\ | \\\" | \\\\ } '\"'</pre>"
+    "A statement that is true of the outside is refused; a part of it may be. The layers must be "
+    "closed; one that meets itself is what its winding rule calls inside. New points are rounded "
+    "once.<br>";
 
 const char* const kResolveHelp =
     "Makes <b>one layer that meets itself into a surface that does not</b>: the boundary of what "
     "its winding rule calls inside. Overlapping parts become one, walls inside go.<br>"
     "<b>Outer hull:</b> inside is all that cannot be reached from outside, so cavities are filled, "
     "too.<br>"
-    "<b>Exact:</b> there is no tolerance; new points are rounded once, faces that are not cut keep "
-    "every bit of their coordinates. The layer must be closed; an open one is refused, with its "
-    "border selected. Its matrix is applied.<br>";
+    "<b>Exact:</b> new points are rounded once, faces that are not cut keep every bit of their "
+    "coordinates. The layer must be closed; an open one is refused, with its border selected. Its "
+    "matrix is applied.<br>";
 
 const char* const kSign =
     "<b>The sign is negative inside.</b> Of a closed layer it is exact: that of the winding number "
