@@ -7,10 +7,17 @@ Guarantee: no library of meshes is imported, and the arrays of a user's mesh are
 """
 
 import dataclasses
+import sys
 
 import numpy as np
 
 _MOST = 2**31 - 1  # faces and vertices
+
+
+def is_of(library, kind, mesh):
+    """Whether a mesh is of a class of a library, which need not be imported, nor even there."""
+    module = sys.modules.get(library)
+    return module is not None and isinstance(mesh, getattr(module, kind, ()))
 
 
 @dataclasses.dataclass

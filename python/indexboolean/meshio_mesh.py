@@ -10,7 +10,7 @@ import sys
 
 import numpy as np
 
-from .mesh_record import Column, checked_record, columns_of
+from .mesh_record import Column, checked_record, columns_of, is_of
 
 _FACES = ("triangle", "quad", "polygon")
 HAS_POLYGONS = True
@@ -18,8 +18,7 @@ HAS_POLYGONS = True
 
 def is_mesh(mesh):
     """Whether it is a meshio.Mesh."""
-    meshio = sys.modules.get("meshio")
-    return meshio is not None and isinstance(mesh, getattr(meshio, "Mesh", ()))
+    return is_of("meshio", "Mesh", mesh)
 
 
 def read_all(meshes):

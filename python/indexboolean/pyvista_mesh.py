@@ -10,7 +10,7 @@ import sys
 
 import numpy as np
 
-from .mesh_record import checked_record, columns_of, polygons_of_padded
+from .mesh_record import checked_record, columns_of, is_of, polygons_of_padded
 
 # What VTK draws by, of points and of cells.
 _ACTIVE = ("active_scalars_name", "active_vectors_name", "active_texture_coordinates_name",
@@ -20,8 +20,7 @@ HAS_POLYGONS = True
 
 def is_mesh(mesh):
     """Whether it is a pyvista.PolyData."""
-    pyvista = sys.modules.get("pyvista")
-    return pyvista is not None and isinstance(mesh, getattr(pyvista, "PolyData", ()))
+    return is_of("pyvista", "PolyData", mesh)
 
 
 def read_all(meshes):

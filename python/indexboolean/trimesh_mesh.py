@@ -9,7 +9,7 @@ import sys
 
 import numpy as np
 
-from .mesh_record import Column, checked_record, columns_of
+from .mesh_record import Column, checked_record, columns_of, is_of
 
 _COLOUR, _UV = ("visual", "colour"), ("visual", "uv")  # no user's attribute has such a name
 HAS_POLYGONS = False
@@ -17,8 +17,7 @@ HAS_POLYGONS = False
 
 def is_mesh(mesh):
     """Whether it is a trimesh.Trimesh."""
-    trimesh = sys.modules.get("trimesh")
-    return trimesh is not None and isinstance(mesh, getattr(trimesh, "Trimesh", ()))
+    return is_of("trimesh", "Trimesh", mesh)
 
 
 def read_all(meshes):
