@@ -15,7 +15,6 @@
 
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
-#include <omp.h>
 
 #include <algorithm>
 #include <atomic>
@@ -611,7 +610,7 @@ CommandLine parse(int argc, char** argv) {
 	             "Times also the search of both operands for faces that meet wrongly");
 	app.add_flag("--resolve", out.resolve,
 	             "Searches both operands, and resolves what meets itself, as hosts do");
-	app.add_option("--threads", out.threads, "0: as many as OpenMP gives")
+	app.add_option("--threads", out.threads, "0: as many as there are")
 	    ->check(CLI::NonNegativeNumber);
 	app.add_option("--runs", out.runs, "Timed runs, of which the median is taken")
 	    ->check(CLI::PositiveNumber);
@@ -757,7 +756,7 @@ int run(const CommandLine& commandLine) {
 	if (!commandLine.split) {
 		out["operation"] = operationName(commandLine.operation);
 	}
-	out["threads"] = commandLine.threads > 0 ? commandLine.threads : omp_get_max_threads();
+	out["threads"] = commandLine.threads > 0 ? commandLine.threads : mostWorkers(0);
 	if (commandLine.smallPairs == 0) {
 		out["copied_bytes_per_second"] = copySpeed(commandLine.threads);
 	}

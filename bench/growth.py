@@ -86,7 +86,7 @@ def main():
     parser.add_argument("--cases", default="", help="only cases whose name contains this")
     parser.add_argument("--processes", type=int, default=3, help="of each, for the median")
     parser.add_argument("--runs", type=int, default=3, help="runs of each process")
-    parser.add_argument("--threads", type=int, default=1, help="0: as many as OpenMP gives")
+    parser.add_argument("--threads", type=int, default=1, help="0: as many as there are")
     parser.add_argument("--timeout", type=float, default=60, help="seconds a process is given")
     args = parser.parse_args()
 

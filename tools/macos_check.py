@@ -16,7 +16,7 @@ from pathlib import Path
 from mach_o import Host, Library, file_of, is_of_system, rpath_folders
 from macos_root import MINIMUM, MORE_OF_SYSTEM, known_of_system
 
-NEEDED = ("libmeshlab-common.dylib", "libomp.dylib", "QtCore")
+NEEDED = ("libmeshlab-common.dylib", "QtCore")
 # What describes these types must be one with the host's: an exception that it catches, and what it
 # knows a plugin by. On arm64 they are compared by name.
 SHARED_TYPES = {"x86_64": ("__ZTI11MLException", "__ZTI13MeshLabPlugin"), "arm64": ()}

@@ -23,7 +23,7 @@ MINIMUM = "11.0"  # of macOS: pymeshlab's
 ZIG_NAME = {"arm64": "aarch64", "x86_64": "x86_64"}
 QT_MODULES = ("Core", "Gui", "Widgets", "OpenGL", "Xml")
 HOST_LIBRARIES = (
-    "libmeshlab-common.dylib", "libomp.dylib",
+    "libmeshlab-common.dylib",
     *(f"Qt{module}.framework/Versions/5/Qt{module}" for module in QT_MODULES),
 )
 SYSTEM_LIBRARIES = ("/usr/lib/libc++.1.dylib", "/usr/lib/libSystem.B.dylib")
@@ -44,11 +44,10 @@ MORE_OF_SYSTEM = {
         "_ilogb", "_lround", "_nextafterf", "_scalbn",
     ),
 }
-# Of no system: Boost, Eigen, OpenGL's and Qt's headers, and OpenMP's as LLVM has them.
+# Of no system: Boost, Eigen, OpenGL's and Qt's headers.
 HEADERS = {
     "boost": "/usr/include/boost", "eigen3": "/usr/include/eigen3", "GL": "/usr/include/GL",
     "KHR": "/usr/include/KHR", "qt5": "/usr/include/x86_64-linux-gnu/qt5",
-    "omp.h": "/usr/lib/llvm-14/lib/clang/14.0.6/include/omp.h",
 }
 
 STUB = """--- !tapi-tbd

@@ -15,8 +15,7 @@ set(CMAKE_AR "${INDEXBOOLEAN_CROSS_ROOT}/bin/ar" CACHE FILEPATH "")
 set(CMAKE_CXX_FLAGS_INIT "-isystem ${INDEXBOOLEAN_CROSS_ROOT}/include \
 -U_LIBCPP_HAS_VENDOR_AVAILABILITY_ANNOTATIONS -D_LIBCPP_HAS_VENDOR_AVAILABILITY_ANNOTATIONS=1 \
 -D_LIBCPP_ENABLE_CXX17_REMOVED_UNARY_BINARY_FUNCTION")
-# zig takes -O3 for -O2, and for debug information, of which OpenMP's calls name the files. Boost's
-# exceptions name theirs.
+# zig takes -O3 for -O2, and for debug information. Boost's exceptions name their files.
 set(CMAKE_CXX_FLAGS_RELEASE_INIT
 	"-Xclang -O3 -g0 -fmacro-prefix-map=${INDEXBOOLEAN_CROSS_ROOT}/include/=")
 set(CMAKE_OSX_SYSROOT "")
@@ -31,8 +30,5 @@ foreach(tool RANLIB STRIP INSTALL_NAME_TOOL)
 	set(CMAKE_${tool} /bin/true CACHE FILEPATH "")
 endforeach()
 
-set(OpenMP_CXX_FLAGS -fopenmp CACHE STRING "")
-set(OpenMP_CXX_LIB_NAMES omp CACHE STRING "")
-set(OpenMP_omp_LIBRARY "${INDEXBOOLEAN_CROSS_ROOT}/lib/libomp.tbd" CACHE FILEPATH "")
 set(Qt5_DIR "${CMAKE_CURRENT_LIST_DIR}/macos_qt5" CACHE PATH "")
 set(MESHLAB_COMMON_LIBRARY "${INDEXBOOLEAN_CROSS_ROOT}/lib/libmeshlab-common.tbd" CACHE FILEPATH "")

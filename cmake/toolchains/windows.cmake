@@ -8,11 +8,8 @@ set(CMAKE_SYSTEM_NAME Windows)
 set(CMAKE_SYSTEM_PROCESSOR AMD64)
 set(CMAKE_CXX_COMPILER x86_64-w64-mingw32-g++-posix)
 set(CMAKE_RC_COMPILER x86_64-w64-mingw32-windres)
-# The runtimes of GCC, of its threads and of OpenMP are not on a Windows system.
+# The runtimes of GCC and of its threads are not on a Windows system.
 set(CMAKE_EXE_LINKER_FLAGS_INIT -static)
-execute_process(COMMAND ${CMAKE_CXX_COMPILER} -print-file-name=libgomp.a
-	OUTPUT_VARIABLE OpenMP_gomp_LIBRARY OUTPUT_STRIP_TRAILING_WHITESPACE)
-set(OpenMP_gomp_LIBRARY "${OpenMP_gomp_LIBRARY}" CACHE FILEPATH "")
 set(CMAKE_CROSSCOMPILING_EMULATOR /usr/lib/wine/wine64)
 
 set(CMAKE_TRY_COMPILE_PLATFORM_VARIABLES INDEXBOOLEAN_CROSS_ROOT)

@@ -9,9 +9,7 @@
 
 #include <gtest/gtest.h>
 
-#ifdef _OPENMP
-#include <omp.h>
-#endif
+#include <mutex>
 
 namespace index_boolean {
 namespace {
@@ -180,21 +178,20 @@ TEST(Extremes, facesWithTwoEqualCornersAreDropped) {
 	expectSameGeometry(reference, r);
 }
 
-// What a host's thread finds after a run.
+// What a thread finds after a run.
 struct Environment {
 	int rounding = FE_TONEAREST;
 	bool isDefault = true;
 };
 
 std::vector<Environment> environmentsOfAllThreads(int threads) {
-	std::vector<Environment> found(static_cast<std::size_t>(threads));
-#ifdef _OPENMP
-#pragma omp parallel num_threads(threads)
-	found[static_cast<std::size_t>(omp_get_thread_num())] = {std::fegetround(),
-	                                                         environmentIsDefault()};
-#else
-	found.assign(found.size(), {std::fegetround(), environmentIsDefault()});
-#endif
+	std::mutex mutex;
+	std::vector<Environment> found;
+	onAllThreads(threads, [&] {
+		const Environment here{std::fegetround(), environmentIsDefault()};
+		const std::lock_guard<std::mutex> lock(mutex);
+		found.push_back(here);
+	});
 	return found;
 }
 
@@ -202,7 +199,7 @@ TEST(FloatingPointEnvironment, ofTheHostChangesNoByteAndIsGivenBack) {
 	std::mt19937 random(5);
 	const Mesh a = placed(sphere(120, {0, 0, 0}, 1), random, 0.1);
 	const Mesh b = placed(torus(200, 100, 1, 0.4), random, 0.3);
-	constexpr int kThreads = 2;  // a larger team may shrink, and lose the threads set here
+	constexpr int kThreads = 2;
 	Options options;
 	options.threads = kThreads;
 	const BooleanRun reference = run(a, b, options);

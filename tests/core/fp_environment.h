@@ -1,13 +1,17 @@
 // SPDX-FileCopyrightText: 2026 The Index Boolean authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Floating-point environments that a host may be in, and whether one is the default.
+// Floating-point environments that a host may be in, and whether one is the default; of this thread
+// and of its helpers.
 #pragma once
 
 #include <vcg_ext/base/fp_environment.h>
+#include <vcg_ext/base/helper_threads.h>
 
+#include <atomic>
 #include <cfenv>
 #include <limits>
+#include <thread>
 
 #ifdef __SSE__
 #include <xmmintrin.h>
@@ -34,24 +38,30 @@ inline bool environmentIsDefault() {
 	return half > 0 && again == smallest && third == 1.0 / 3.0 && one + third * 0x1p-60 == one;
 }
 
-inline void spoilEnvironmentOfAllThreads(int threads) {
-	spoilEnvironment();
-#ifdef _OPENMP
-#pragma omp parallel num_threads(threads)
-	spoilEnvironment();
-#else
-	static_cast<void>(threads);
-#endif
+// Calls body() on this thread and on `threads` - 1 helpers at once, as the core's loops do.
+template <class Body>
+void onAllThreads(int threads, Body&& body) {
+	struct Team {
+		Body& body;
+		int threads;
+		std::atomic<int> inside{0};
+
+		static void enter(void* context) {
+			Team& team = *static_cast<Team*>(context);
+			++team.inside;
+			while (team.inside < team.threads) {  // so that no helper comes twice
+				std::this_thread::yield();
+			}
+			team.body();
+		}
+	} team{body, threads};
+	workWithHelpers(threads - 1, &team, Team::enter, Team::enter);
 }
 
+inline void spoilEnvironmentOfAllThreads(int threads) { onAllThreads(threads, spoilEnvironment); }
+
 inline void restoreEnvironmentOfAllThreads(int threads) {
-	FpEnvironment::setDefault();
-#ifdef _OPENMP
-#pragma omp parallel num_threads(threads)
-	FpEnvironment::setDefault();
-#else
-	static_cast<void>(threads);
-#endif
+	onAllThreads(threads, FpEnvironment::setDefault);
 }
 
 }  // namespace index_boolean

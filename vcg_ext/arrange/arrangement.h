@@ -35,7 +35,7 @@ enum class WindingRule : std::uint8_t { Nonzero, Positive, Odd };
 struct Options {
 	int octreeMaxDepth = 12;  // 1 to 20
 	int octreeLeafSize = 0;   // 0: the cost rule; else a node with Na*Nb <= leafSize^2 is a leaf
-	int threads = 0;          // 0: as many as OpenMP gives
+	int threads = 0;          // 0: as many as there are
 	OutputScalar outputScalar = OutputScalar::Double;
 	bool mergeFragments = true;    // cuts that part nothing in a block leave no trace in it
 	bool mergeCoplanar = false;    // and coplanar neighbours become one face, as far as they can

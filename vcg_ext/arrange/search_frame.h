@@ -39,7 +39,7 @@ struct FramePoints {
 // A surface that is being searched, and what stages find of it.
 struct SearchedSurface {
 	FacesView faces;  // whose corners are finite
-	int threads = 0;  // 0: as many as OpenMP gives
+	int threads = 0;  // 0: as many as there are
 	// Per face: only pairs with a suspect one are of interest; null: all are suspect.
 	const std::vector<std::uint8_t>* isSuspect = nullptr;
 	// [search_frame]; the stars by [star_words] and [open_stars]

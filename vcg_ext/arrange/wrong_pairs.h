@@ -21,7 +21,7 @@ namespace index_boolean {
 
 // How to search.
 struct WrongPairOptions {
-	int threads = 0;          // 0: as many as OpenMP gives
+	int threads = 0;          // 0: as many as there are
 	bool isBalanced = false;  // the caller knows that each edge has as many faces each way
 	// Per face, not 0: suspect. Only pairs with a suspect face are found, and suspect zero-area
 	// faces: of a surface of which all other pairs are known. Null: all are suspect.

@@ -2,16 +2,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // in: a number of chunks and a function for one; out: all chunks run. Threads take chunks from one
-// counter, so that an expensive chunk holds up nobody else. Works the same without OpenMP.
+// counter, so that an expensive chunk holds up nobody else.
 #include "vcg_ext/base/parallel.h"
+
+#include "vcg_ext/base/helper_threads.h"
 
 #include <atomic>
 #include <exception>
 #include <new>
-
-#ifdef _OPENMP
-#include <omp.h>
-#endif
 
 namespace index_boolean {
 
@@ -20,16 +18,7 @@ namespace {
 // Whether this thread has a guard of its floating-point environment already.
 thread_local bool guarded = false;
 
-int maxThreads() {
-#ifdef _OPENMP
-	return omp_get_max_threads();
-#else
-	return 1;
-#endif
-}
-
-// Whether this thread helps another one, which called runChunks. That one may have any number in a
-// team of the host's own, so what tells is that a region of ours has been entered as a helper.
+// Whether this thread helps another one, which called runChunks.
 thread_local bool helping = false;
 
 // What the threads of one region share.
@@ -72,26 +61,14 @@ void work(Run& run) {
 	}
 }
 
-#ifdef _OPENMP
-void help(Run& run) {
-	const bool outer = helping;
-	helping = true;
-	work(run);
-	helping = outer;
-}
+// Thread functions of workWithHelpers.
+void workOn(void* run) { work(*static_cast<Run*>(run)); }
 
-// Thread 0 of a region is the thread that opened it.
-void workTogether(Run& run, int team) {
-#pragma omp parallel num_threads(team) default(none) shared(run)
-	if (omp_get_thread_num() == 0) {
-		work(run);
-	} else {
-		help(run);
-	}
+void helpWith(void* run) {
+	helping = true;
+	work(*static_cast<Run*>(run));
+	helping = false;
 }
-#else
-void workTogether(Run& run, int) { work(run); }
-#endif
 
 }  // namespace
 
@@ -110,7 +87,7 @@ FpEnvironmentGuard::~FpEnvironmentGuard() {
 	}
 }
 
-int mostWorkers(int threads) { return threads > 0 ? threads : maxThreads(); }
+int mostWorkers(int threads) { return threads > 0 ? threads : availableThreads(); }
 
 bool pollCancelled(Monitor& monitor) {
 	if (!helping) {
@@ -126,7 +103,8 @@ Status runChunks(std::size_t chunks, int threads, Monitor& monitor, void* contex
 	if (chunks <= 1 || wanted == 1) {
 		work(state);
 	} else {
-		workTogether(state, static_cast<int>(std::min(chunks, static_cast<std::size_t>(wanted))));
+		const std::size_t workers = std::min(chunks, static_cast<std::size_t>(wanted));
+		workWithHelpers(static_cast<int>(workers) - 1, &state, workOn, helpWith);
 	}
 	Status status;
 	if (state.threw) {

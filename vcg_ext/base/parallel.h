@@ -44,7 +44,7 @@ constexpr int threadsForHalves(std::size_t work, int threads) {
 	return work < (std::size_t{1} << 15) ? 1 : threads;
 }
 
-// How many threads at most work on chunks if `threads` are asked for (0: as many as OpenMP gives).
+// How many threads at most work on chunks if `threads` are asked for (0: as many as there are).
 // For memory alone: results never depend on it. Complexity: O(1).
 int mostWorkers(int threads);
 
@@ -62,7 +62,7 @@ bool pollCancelled(Monitor& monitor);
 // on several threads; chunk k holds the items from k * grain on. Opens no parallel region for one
 // chunk or one thread. Reports the share of finished chunks. Not to be called from inside a body.
 // \param grain   items of a chunk, at least 1
-// \param threads 0: as many as OpenMP gives
+// \param threads 0: as many as there are
 // \return Ok, Cancelled, OutOfMemory (the body ran out of memory) or InternalError (it threw
 //         something else). Unless Ok, some chunks may not have run.
 template <class Body>

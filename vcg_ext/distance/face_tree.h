@@ -47,7 +47,7 @@ struct NearFace {
 class FaceTree {
 public:
 	// \param points    finite \param triangles with area; at least one, at most 2^31 - 1
-	// \param threads   0: as many as OpenMP gives
+	// \param threads   0: as many as there are
 	// \return Ok, Cancelled, OutOfMemory. Throws std::bad_alloc.
 	// Complexity: O(n log n), in parallel but for the first node. About 200 bytes a face.
 	Status build(const Points& points, const IndexTriangles& triangles, int threads,

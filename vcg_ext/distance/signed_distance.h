@@ -47,7 +47,7 @@ struct DistanceQuery {
 
 class SignedDistance {
 public:
-	// Takes a surface, and builds its tree. \param threads 0: as many as OpenMP gives
+	// Takes a surface, and builds its tree. \param threads 0: as many as there are
 	// \return Ok, Cancelled, OutOfMemory; EmptyOperand if it has no faces
 	// Complexity: O(n log n), in parallel. Some 300 bytes a face.
 	Status build(Reference reference, int threads, Monitor& monitor);

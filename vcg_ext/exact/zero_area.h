@@ -25,7 +25,7 @@ bool hasZeroArea(const Point& a, const Point& b, const Point& c);
 // Finds the zero-area faces of a range.
 // \param points    finite
 // \param triangles indices into points
-// \param threads   0: as many as OpenMP gives
+// \param threads   0: as many as there are
 // \param out       replaced by the indices of the zero-area faces, ascending
 // \return Ok, Cancelled, OutOfMemory or InternalError
 // Complexity: O(end - begin), in parallel.

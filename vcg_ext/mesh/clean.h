@@ -54,7 +54,7 @@ struct CleanResult {
 // Removes the zero-area faces from a surface.
 // \param points        finite; not changed
 // \param zeroAreaFaces every face of zero area, as findZeroAreaFaces gives them
-// \param threads       0: as many as OpenMP gives
+// \param threads       0: as many as there are
 // \param triangles     indices into points; changed in place, only if the status is Ok
 // \param result        replaced
 // \return Ok, Cancelled, OutOfMemory, InternalError, or TooLarge: more than 2^31 - 1 faces
@@ -66,7 +66,7 @@ Status cleanSurface(const Points& points, const std::vector<std::uint32_t>& zero
 // Finds the zero-area faces among some faces, removes them, and then the vertices that have lost
 // their last face.
 // \param range     the faces that may have zero area
-// \param threads   0: as many as OpenMP gives
+// \param threads   0: as many as there are
 // \param points, triangles changed in place; meaningful only if the status is Ok
 // \param result    replaced; `looked` are numbers from before its `vertices` were relocated
 // \return as cleanSurface. Complexity: that of findZeroAreaFaces, cleanSurface and removeVertices.

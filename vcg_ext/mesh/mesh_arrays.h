@@ -66,7 +66,7 @@ SurfaceView viewOf(const PointArray& points, const TriangleArray& triangles) {
 
 // Copies surfaces, each an operand, into the arrays of one run. Corners are taken as they are: one
 // that names no point of its own surface names none of its operand afterwards, and is found when
-// the operands are prepared. \param threads 0: as many as OpenMP gives \param out     replaced
+// the operands are prepared. \param threads 0: as many as there are \param out     replaced
 // \return Ok, Cancelled, OutOfMemory, or TooLarge. Complexity: O(n), in parallel.
 Status joinSurfaces(const std::vector<SurfaceView>& surfaces, int threads, Monitor& monitor,
                     MeshArrays& out);

@@ -1,0 +1,23 @@
+// SPDX-FileCopyrightText: 2026 The Index Boolean authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// in: work that any number of threads can do together; out: done, by this thread and by those
+// helpers that came in time. Nobody waits for a thread that the system has not woken: on a busy
+// machine that takes milliseconds, and a short loop is long done by then.
+#pragma once
+
+namespace index_boolean {
+
+// How many threads the machine lets this process use, at least 1; OMP_NUM_THREADS, if set, instead.
+// Complexity: O(1); the first call asks the system.
+int availableThreads();
+
+// Calls work(context) on this thread, and help(context) on up to `helpers` others, which are kept
+// for later calls; returns when all calls have returned. A helper that finds work(context) ended
+// is not let in. If a thread cannot be had, there are fewer. From any thread, and from several at
+// once; a child made by fork() has helpers of its own. Not to be called from inside help.
+// \pre neither throws. Complexity: that of the work, and O(helpers) calls of the system.
+void workWithHelpers(int helpers, void* context, void (*work)(void* context),
+                     void (*help)(void* context));
+
+}  // namespace index_boolean
