@@ -8,6 +8,7 @@ or a run over the limit is an entry of the table and not the end.
 """
 
 import argparse
+import contextlib
 import json
 import os
 import platform
@@ -30,6 +31,8 @@ FILTERS = ["filter", "MeshLab"]
 SPLITTERS = ["trueform_arrangement", "trueform_cells"]  # of the peer trueform
 VOLUME_TOLERANCE = 1e-6  # some peers compute in float32
 ROUNDING = 1e-15  # of the sum that is a volume; operands are about of size 1
+# What hosts do by default: operands are searched for faces that meet wrongly, results certified.
+DEFAULTS = ["--resolve", "--certify", "--one-operation"]
 OPERATION_SIGNS = {
     "union": "∪", "intersection": "∩", "first_minus_second": "−", "split": "cut by",
 }
@@ -111,11 +114,23 @@ def mesh_cases(folder):
     return cases
 
 
-def run_core(args, case, arrays):
+@contextlib.contextmanager
+def busy(count):
+    """That many processes which compute meanwhile, on the cores that this one may use."""
+    others = [subprocess.Popen([sys.executable, "-c", "while True: pass"]) for _ in range(count)]
+    try:
+        yield
+    finally:
+        for other in others:
+            other.kill()
+            other.wait()
+
+
+def run_core(args, case, arrays, options=()):
     """The JSON of index_boolean_bench, or {"error": ...}."""
     operation = ["--split"] if case.operation == "split" else ["--operation", case.operation]
     command = [
-        args.bench, *case.arguments, *operation,
+        args.bench, *case.arguments, *operation, *options,
         "--runs", str(args.runs), "--seconds", str(args.seconds), "--save-arrays", str(arrays),
     ]
     try:
@@ -174,6 +189,7 @@ def measure(args, case):
     row = {"case": case.title(), "operation": case.operation, "peers": {}}
     print(f"{row['case']}: core", end="", file=sys.stderr, flush=True)
     row["core"] = run_core(args, case, arrays)
+    row["defaults"] = run_core(args, case, arrays, DEFAULTS) if case.operation != "split" else {}
     for name in peers_for(case, args.peers):
         print(f", {name}", end="", file=sys.stderr, flush=True)
         row["peers"][name] = run_peer(args, name, case, arrays)
@@ -194,18 +210,21 @@ def reference_volume(row):
     return core["volume"] if core else statistics.median(volumes) if volumes else None
 
 
-def peer_cell(row, name, base):
-    """Seconds and their ratio to `base`, with * for a wrong volume and ! for an open surface."""
+def peer_cell(row, name, *bases):
+    """Seconds and their ratios to `bases`, with * for a wrong volume and ! for an open surface."""
     peer = row["peers"].get(name)
     if peer is None:
         return ""
     if "cut" in peer:
-        ratio = f" (> {peer['cut'] / base:.0f}×)" if base else ""
-        return f"> {duration(peer['cut'])}{ratio}"
+        return f"> {duration(peer['cut'])}{multiples(peer['cut'], bases, '> ', 0)}"
     if "error" in peer:
         return peer["error"][:40]
-    ratio = f" ({peer['seconds'] / base:.1f}×)" if base else ""
-    return f"{duration(peer['seconds'])}{marks(row, peer)}{ratio}"
+    return f"{duration(peer['seconds'])}{marks(row, peer)}{multiples(peer['seconds'], bases)}"
+
+
+def multiples(seconds, bases, sign="", digits=1):
+    ratios = [f"{sign}{seconds / base:.{digits}f}×" for base in bases if base]
+    return f" ({', '.join(ratios)})" if ratios else ""
 
 
 def marks(row, peer):
@@ -221,15 +240,15 @@ def marks(row, peer):
     return ("" if right else "*") + ("" if peer["closed"] else "!")
 
 
-def core_seconds(row, which, key="seconds_without_audit"):
-    return None if "error" in row["core"] else row["core"].get(which, {}).get(key)
+def core_seconds(row, which, key="seconds_without_audit", run="core"):
+    return None if "error" in row[run] else row[run].get(which, {}).get(key)
 
 
-def core_cell(row, which, key="seconds_without_audit"):
-    seconds = core_seconds(row, which, key)
+def core_cell(row, which, key="seconds_without_audit", run="core"):
+    seconds = core_seconds(row, which, key, run)
     if seconds is not None:
         return duration(seconds)
-    return row["core"].get("error") or f"> {duration(row['core']['cut'])}"
+    return row[run].get("error") or f"> {duration(row[run]['cut'])}"
 
 
 def markdown(headers, rows):
@@ -247,15 +266,16 @@ def library_table(rows, peers):
     names = [name for name in LIBRARIES if name in peers]
     table = []
     for row in rows:
-        base = core_seconds(row, "one_operation")
+        bases = [core_seconds(row, "one_operation", run=run) for run in ("defaults", "core")]
         table.append(
             [
-                row["case"], core_cell(row, "one_operation"),
-                core_cell(row, "one_operation", "seconds"), core_cell(row, "four_blocks"),
+                row["case"], core_cell(row, "one_operation", run="defaults"),
+                core_cell(row, "one_operation"), core_cell(row, "one_operation", "seconds"),
+                core_cell(row, "four_blocks"),
             ]
-            + [peer_cell(row, name, base) for name in names]
+            + [peer_cell(row, name, *bases) for name in names]
         )
-    headers = ["case", "core, one operation", "with its audit", "core, all four", *names]
+    headers = ["case", "all defaults", "bare", "bare, with its audit", "bare, all four", *names]
     return markdown(headers, table)
 
 
@@ -294,12 +314,18 @@ def processor():
     return names[0] if names else platform.processor()
 
 
+def busy_words(count):
+    return f", with {count} busy processes beside each" if count else ""
+
+
 def report(machine, rows, peers):
     parts = [
         f"{machine['processor']}, {machine['cores']} cores, load {machine['load']:.1f} at the "
         f"start. Medians of {machine['runs']} runs after a warm-up (of one run where it takes more "
-        f"than 10 s; of as many as take {machine['seconds']} s where these are more). In "
-        "parentheses: the time as a multiple of the first column's. "
+        f"than 10 s; of as many as take {machine['seconds']} s where these are more)"
+        f"{busy_words(machine['busy'])}. In parentheses: the time as a multiple of the core's; in "
+        "the first table of its run with all defaults, operands searched and the result "
+        "certified, and of its bare run, which does neither, as the peers do. "
         "`*` the volume is off by more than 1e-6 of itself or cells are too many or few, `!` the "
         "result is not closed.",
     ]
@@ -334,6 +360,7 @@ def parse_arguments():
     add("--seconds", type=float, default=0.25, help="more runs, until they took that long in all")
     add("--limit", type=float, default=120, help="seconds that one run may take")
     add("--cores", type=int, default=2)
+    add("--busy", type=int, default=0, help="processes that compute beside all that is measured")
     args = parser.parse_args()
     known = LIBRARIES + (FILTERS if args.plugin else [])
     args.peers = known if args.peers is None else [p for p in args.peers.split(",") if p != "none"]
@@ -366,12 +393,13 @@ def main():
     os.sched_setaffinity(0, cores)  # inherited by all that is measured
     machine = {
         "processor": processor(), "cores": len(cores), "load": os.getloadavg()[0],
-        "runs": args.runs, "seconds": args.seconds, "limit": args.limit,
+        "runs": args.runs, "seconds": args.seconds, "limit": args.limit, "busy": args.busy,
     }
     args.out.mkdir(parents=True, exist_ok=True)
     rows = []
     for case in select_cases(args.spheres, args.terrain, args.cases):
-        rows.append(measure(args, case))
+        with busy(args.busy):
+            rows.append(measure(args, case))
         # After every case, so that a run that is ended early leaves what it has.
         results = json.dumps({"machine": machine, "rows": rows}, indent=1)
         (args.out / "compare.json").write_text(results + "\n", encoding="utf-8")

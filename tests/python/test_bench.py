@@ -5,8 +5,10 @@
 import json
 import math
 import os
+import re
 import subprocess
 import sys
+import time
 from pathlib import Path
 
 import numpy as np
@@ -124,7 +126,40 @@ def test_comparisonWritesItsTable(tmp_path):
     assert manifold["closed"]
     for runs in (manifold["seconds_each_run"], core["seconds_each_run"]):
         assert len(runs) > 1 and sum(runs[:-1]) < 0.05 <= sum(runs)
-    assert "| Manifold " in (tmp_path / "compare.md").read_text()
+    defaults = row["defaults"]["one_operation"]
+    assert defaults["blocks"] == core["blocks"]
+    table = (tmp_path / "compare.md").read_text()
+    assert "| all defaults " in table and "| Manifold " in table
+    ratios = re.search(r"\(([\d.]+)×, ([\d.]+)×\) *\|$", table, re.MULTILINE)
+    measured = [manifold["seconds"] / run["seconds_without_audit"] for run in (defaults, core)]
+    assert [float(ratio) for ratio in ratios.groups()] == pytest.approx(measured, abs=0.06)
+
+
+def test_comparisonOnABusyMachine(tmp_path):
+    command = [
+        sys.executable, ROOT / "bench/compare.py", "--bench", BENCH, "--out", tmp_path,
+        "--cases", "box − box (2", "--runs", "1", "--peers", "none", "--busy", "3",
+    ]
+    with subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL) as run:
+        most = 0
+        while run.poll() is None:
+            most = max(most, sum("while True" in words for words in children_of(run.pid)))
+            time.sleep(0.005)
+    assert run.returncode == 0
+    assert most == 3
+    assert "3 busy processes" in (tmp_path / "compare.md").read_text()
+
+
+def children_of(process):
+    """The command lines of a process's children."""
+    lines = []
+    for folder in Path("/proc").glob("[0-9]*"):
+        try:
+            parent = int((folder / "stat").read_text().rsplit(")", 1)[1].split()[1])
+            lines += [(folder / "cmdline").read_text()] if parent == process else []
+        except (FileNotFoundError, ProcessLookupError):
+            pass  # it has ended
+    return lines
 
 
 def test_smallPairsAreAllRightBesideAPeer():
