@@ -50,7 +50,7 @@ def test_eachReportIsATest():
         path.read_text(encoding="utf-8") for path in Path(__file__).parent.glob("*.py")
     )
     reports = [path for path in FOLDER.iterdir() if path.suffix in (".npz", ".STL")]
-    assert len(reports) == 16
+    assert len(reports) == 17
     for report in reports:
         name = report.name if report.suffix == ".STL" else report.stem
         assert f'"{name}"' in tests, name
@@ -122,3 +122,12 @@ def test_facesThatCleaningBringsTogetherAreSeen():
     none of whose corners was rounded: that was certified."""
     first, second = load("own_output_twin_faces_by_collapse")
     certified(first, second, BLOCKS, "float")
+
+
+def test_copiesWhereALayerTouchesItselfAreNoSeam():
+    """No attribute has two values in one place, so that what is carried over opens nothing."""
+    first, second = load("own_output_copies_are_no_seam")
+    made = run_boolean(*first, *second)
+    for block in BLOCKS:
+        assert made["result"][f"{block}_open_edges"] == 0, block
+        assert mesh_laws.unmatched_edges(*made[block]) == 0

@@ -16,7 +16,7 @@ namespace {
 constexpr std::size_t kGrain = 1 << 14;
 
 // The operand of a corner, and the sides of seams that its vertices as given are on, whatever their
-// weights; kNone where there are fewer.
+// weights; kNone where there are fewer, and no seam.
 using Identity = std::array<std::uint32_t, 4>;
 
 // Gives corners at one vertex that stand for different ones a vertex each.

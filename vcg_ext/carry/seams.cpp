@@ -35,7 +35,9 @@ private:
 	Status listEdges(OperandId operand);
 	void compareEnds(VertexId a, VertexId b);
 	Status compareEdges();
+	void listEnds();
 	void joinOthers();
+	void markApart();
 
 	const Arrangement& arrangement_;
 	const MeshArrays& mesh_;
@@ -45,8 +47,10 @@ private:
 	std::vector<VertexId> places_;        // per welded vertex: one that was given there
 	std::vector<std::uint8_t> isShared_;  // per welded vertex: there are several in its place
 	std::vector<GivenEdge> edges_;
-	UnionFind apart_;  // vertices that seams connect
-	UnionFind sides_;  // vertices that need not be apart
+	std::vector<std::array<VertexId, 2>> ends_;  // of these: where, and what is there as given
+	UnionFind apart_;                            // vertices that seams connect
+	UnionFind sides_;                            // vertices that need not be apart
+	std::vector<VertexId> onSeams_;  // of each side that is not all of its place, at least one
 };
 
 // What the corners of a face are called as given; none() for a corner that is none there.
@@ -133,21 +137,41 @@ Status SeamFinder::compareEdges() {
 	return status;
 }
 
+// Without those of which a face as given has no corner.
+void SeamFinder::listEnds() {
+	ends_.clear();
+	for (const GivenEdge& edge : edges_) {
+		for (const auto& [place, given] :
+		     {std::pair(edge.low, edge.item[0]), std::pair(edge.high, edge.item[1])}) {
+			if (given != VertexId::none()) {
+				ends_.push_back({VertexId{place}, given});
+			}
+		}
+	}
+	std::sort(ends_.begin(), ends_.end());
+}
+
 // Vertices in one place that no chain of seams connects need not be apart.
 void SeamFinder::joinOthers() {
-	std::vector<std::array<VertexId, 2>> ends;  // where, and what is there as given
-	for (const GivenEdge& edge : edges_) {
-		ends.push_back({VertexId{edge.low}, edge.item[0]});
-		ends.push_back({VertexId{edge.high}, edge.item[1]});
-	}
-	std::sort(ends.begin(), ends.end());
-	for (std::size_t i = 1; i < ends.size(); ++i) {
-		const auto& [place, given] = ends[i];
-		const auto& [placeBefore, before] = ends[i - 1];
-		if (place == placeBefore && given != VertexId::none() &&
-		    apart_.find(given.value) != apart_.find(before.value)) {
+	for (std::size_t i = 1; i < ends_.size(); ++i) {
+		const auto& [place, given] = ends_[i];
+		const auto& [placeBefore, before] = ends_[i - 1];
+		if (place == placeBefore && apart_.find(given.value) != apart_.find(before.value)) {
 			sides_.unite(given.value, before.value);
 			apart_.unite(given.value, before.value);
+		}
+	}
+}
+
+// What is left apart: where a place has several sides, each is somewhere beside another in the
+// list.
+void SeamFinder::markApart() {
+	for (std::size_t i = 1; i < ends_.size(); ++i) {
+		const auto& [place, given] = ends_[i];
+		const auto& [placeBefore, before] = ends_[i - 1];
+		if (place == placeBefore && sides_.find(given.value) != sides_.find(before.value)) {
+			onSeams_.push_back(given);
+			onSeams_.push_back(before);
 		}
 	}
 }
@@ -160,13 +184,23 @@ Status SeamFinder::run(Seams& out) {
 		const Status compared =
 		    inOrder([&] { return findPlaces(operand); }, [&] { return listEdges(operand); },
 		            [&] { return compareEdges(); });
+		listEnds();
 		joinOthers();
+		markApart();
 		return compared;
 	});
+	if (onSeams_.empty()) {
+		return status;
+	}
 	sides_.flatten();
+	std::vector<std::uint8_t> isApart(sides_.size(), 0);  // per root
+	for (const VertexId v : onSeams_) {
+		isApart[sides_.root(v.value)] = 1;
+	}
 	out.side.resize(sides_.size());
 	for (std::uint32_t v = 0; v < out.side.size(); ++v) {
-		out.side[v] = {sides_.root(v)};
+		const std::uint32_t root = sides_.root(v);
+		out.side[v] = isApart[root] != 0 ? VertexId{root} : VertexId::none();
 	}
 	return status;
 }

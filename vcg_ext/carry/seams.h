@@ -17,12 +17,12 @@ namespace index_boolean {
 using SameAttributes = std::function<bool(VertexId a, VertexId b)>;
 
 struct Seams {
-	// Per vertex as given: the first vertex in its place that it need not be apart from. Empty: no
-	// two vertices of an operand stay apart.
+	// Per vertex as given: the first vertex in its place that it need not be apart from, or none()
+	// if that is all of them. Empty: no two vertices of an operand stay apart.
 	std::vector<VertexId> side;
 
 	bool any() const { return !side.empty(); }
-	VertexId sideOf(VertexId v) const { return side.empty() ? v : at(side, v); }
+	VertexId sideOf(VertexId v) const { return side.empty() ? VertexId::none() : at(side, v); }
 };
 
 // Finds the seams of the operands that have any.

@@ -21,6 +21,7 @@ struct Sources {
 	MeshArrays given;
 	BooleanRun blocks;
 	Block block;
+	Seams seams;
 	AttributeSources sources;
 	Status status;
 
@@ -52,11 +53,10 @@ Sources sourcesOf(const Mesh& a, const Mesh& b, Operation operation, bool same =
 	s.block = s.blocks.block(operation);
 	const GivenTriangles given = [&s](GivenFace f) { return Sources::triangle(s.given, f); };
 	Monitor monitor;
-	Seams seams;
 	s.status = operandSeams(
-	    s.blocks.arrangement, given, [same](VertexId, VertexId) { return same; }, monitor, seams);
+	    s.blocks.arrangement, given, [same](VertexId, VertexId) { return same; }, monitor, s.seams);
 	EXPECT_TRUE(s.status.ok());
-	s.status = attributeSources(s.blocks.arrangement, {given, seams, {true, partCurve}}, monitor,
+	s.status = attributeSources(s.blocks.arrangement, {given, s.seams, {true, partCurve}}, monitor,
 	                            s.block, s.sources);
 	return s;
 }
@@ -298,6 +298,10 @@ TEST(Seams, stayApartAlsoAtNewVertices) {
 	const Sources apart = sourcesOf(walls, other, Operation::FirstMinusSecond);
 	expectTrue(apart);
 	EXPECT_EQ(mostCopies(apart.block), 3u);
+	for (std::uint32_t v = 0; v < walls.points.size(); ++v) {
+		EXPECT_EQ(apart.seams.sideOf({v}), VertexId{v});
+	}
+	EXPECT_EQ(apart.seams.sideOf({24}), VertexId::none()) << "of the other operand";
 	std::map<Point, std::set<std::size_t>> wallsOf;  // of the first operand, at each place
 	std::map<Point, std::set<std::uint32_t>> verticesAt;
 	for (std::size_t f = 0; f < apart.block.triangles.size(); ++f) {
@@ -319,6 +323,7 @@ TEST(Seams, stayApartAlsoAtNewVertices) {
 	const Sources sewn = sourcesOf(walls, other, Operation::FirstMinusSecond, kAlwaysSame);
 	expectTrue(sewn);
 	EXPECT_EQ(mostCopies(sewn.block), 1u);
+	EXPECT_FALSE(sewn.seams.any());
 	EXPECT_TRUE(isClosed(sewn.block.triangles));
 }
 
@@ -329,6 +334,7 @@ TEST(Seams, areNotWhereAnOperandTouchesItself) {
 	const Mesh away = box({-2, -2, -2}, {1, 1, 1});
 	const Sources s = sourcesOf(touching, away, Operation::FirstMinusSecond);
 	expectTrue(s);
+	EXPECT_FALSE(s.seams.any());
 	EXPECT_TRUE(isClosed(s.block.triangles));
 	EXPECT_TRUE(isManifold(s.block.triangles));
 	EXPECT_EQ(s.block.points.size(), s.blocks.block(Operation::FirstMinusSecond).points.size());
