@@ -37,14 +37,15 @@ void joinBoxes(const EightBoxes& boxes, EightBoxes& out, std::size_t lane) {
 	}
 }
 
-void setBoxes(const EightFaces& eight, EightBoxes& out) {
+// Numbers below 1 are 2^-24 apart at most, so that a margin of 2^-23 widens by more than 2^-24.
+void setBoxes(const EightFaces& eight, float margin, EightBoxes& out) {
 	for (std::size_t axis = 0; axis < 3; ++axis) {
 		for (std::size_t lane = 0; lane < 8; ++lane) {
 			const float a = eight.place[0][axis][lane], b = eight.place[1][axis][lane],
 			            c = eight.place[2][axis][lane];
 			const float lo = a < b ? a : b, hi = a < b ? b : a;
-			out.lo[axis][lane] = c < lo ? c : lo;
-			out.hi[axis][lane] = c > hi ? c : hi;
+			out.lo[axis][lane] = (c < lo ? c : lo) - margin;
+			out.hi[axis][lane] = (c > hi ? c : hi) + margin;
 		}
 	}
 }
@@ -62,7 +63,7 @@ struct LeafSource {
 		gatherEight(
 		    faces, surface.points, count,
 		    [&](std::size_t lane) { return order.face(first + lane); }, eight);
-		setBoxes(eight, out.boxes);
+		setBoxes(eight, surface.boxMargin, out.boxes);
 		out.stars = eight.star;
 		for (std::size_t lane = 0; lane < 8; ++lane) {
 			const bool isFace = lane < count;

@@ -5,7 +5,9 @@
 // their range of indices, since a vertex that no face has may be anywhere; one over the points.
 #include "vcg_ext/arrange/search_frame.h"
 
+#include "vcg_ext/arrange/frame_axes.h"
 #include "vcg_ext/base/parallel.h"
+#include "vcg_ext/base/vectors.h"
 
 #include <algorithm>
 #include <cmath>
@@ -55,6 +57,8 @@ Status findExtent(const FacesView& faces, int threads, Monitor& monitor, Extent&
 struct Frame {
 	Point centre;
 	double scale;
+
+	Point map(const Point& point) const { return times(minus(point, centre), scale); }
 };
 
 // The centre is rounded, so that the sides' distances from it may differ; no number in the box is
@@ -70,6 +74,12 @@ Frame frameOf(const BoundingBox& box) {
 	return {centre, std::ldexp(1.0, std::min(-exponent, 1000))};  // a larger power is no double
 }
 
+void setPlace(const Point& place, FramePoint& out) {
+	for (std::size_t axis = 0; axis < 3; ++axis) {
+		out.place[axis] = static_cast<float>(place[axis]);
+	}
+}
+
 }  // namespace
 
 Status placeInFrame(SearchedSurface& surface, Monitor& monitor) {
@@ -81,17 +91,23 @@ Status placeInFrame(SearchedSurface& surface, Monitor& monitor) {
 		out.points.clear();
 		return status;
 	}
-	const Frame frame = frameOf(extent.box);
+	Frame frame = frameOf(extent.box);
+	const std::optional<Axes> axes = guessFrameAxes(faces, extent.box, frame.scale);
+	surface.boxMargin = axes ? 0x1p-23F : 0.0F;
+	frame.scale = axes ? frame.scale / 2 : frame.scale;  // a cube's corners stay within 1
 	out.first = extent.lowest;
 	out.points.resizeForOverwrite(std::size_t{extent.highest} + 1 - extent.lowest);
 	return parallelFor(out.points.size(), kGrain, surface.threads, monitor,
 	                   [&](std::size_t begin, std::size_t end) {
 		                   const Point* const from = faces.points().data() + extent.lowest;
-		                   for (std::size_t i = begin; i < end; ++i) {
-			                   for (std::size_t axis = 0; axis < 3; ++axis) {
-				                   out.points[i].place[axis] = static_cast<float>(
-				                       (from[i][axis] - frame.centre[axis]) * frame.scale);
-			                   }
+		                   for (std::size_t i = begin; i < end && !axes; ++i) {
+			                   setPlace(frame.map(from[i]), out.points[i]);
+		                   }
+		                   for (std::size_t i = begin; i < end && axes; ++i) {
+			                   const Point p = frame.map(from[i]);
+			                   setPlace(
+			                       {dot((*axes)[0], p), dot((*axes)[1], p), dot((*axes)[2], p)},
+			                       out.points[i]);
 		                   }
 	                   });
 }

@@ -2,12 +2,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // in: the faces of one surface that is to be searched; out: their corners as floats from -1 to 1.
-// Guarantee: the map never swaps two numbers along an axis, so that boxes that touch or overlap
-// still do, without a margin; and it moves a corner, taken to the frame exactly, by less than 2^-24
-// along each axis.
-// With p the corner and c the frame's centre, p - c is rounded to a double, scaled by a power of
-// two, and rounded to a float: by at most 2^-53 and 2^-25, where no more than 1 is rounded. (Of a
-// surface smaller than 2^-1000 the doubles scaled may be less than 1 by far: all the better.)
+// Guarantee: boxes of faces that meet, widened by the margin, meet; and the map moves a corner,
+// taken to the frame exactly, by less than 2^-24 along each axis. Where the frame has axes of its
+// own the exact map is linear, so it keeps what meets, what is a plane and on which side of it
+// something is. With p the corner and c the frame's centre, p - c is rounded to a double, scaled by
+// a power of two, and rounded to a float: by at most 2^-53 and 2^-25, where no more than 1 is
+// rounded. (Of a surface smaller than 2^-1000 the doubles scaled may be less than 1 by far: all the
+// better.) This never swaps two numbers along an axis: there is no margin. With axes of its own
+// three products of numbers below 1 are summed up between, to less than 1 again: by less than 2^-49
+// more.
 #pragma once
 
 #include "vcg_ext/arrange/faces_view.h"
@@ -44,6 +47,7 @@ struct SearchedSurface {
 	const std::vector<std::uint8_t>* isSuspect = nullptr;
 	// [search_frame]; the stars by [star_words] and [open_stars]
 	FramePoints points;
+	float boxMargin = 0;  // [search_frame]
 	// [unbalanced_vertices] Per vertex, from the first of the points on: not all edges there have
 	// as many faces each way. Empty: all have.
 	std::vector<std::uint8_t> isUnbalanced;
@@ -59,7 +63,7 @@ struct SearchedSurface {
 };
 
 // Maps the corners of the faces.
-// \param surface its points are replaced; the stars have no value
+// \param surface its points and the margin are replaced; the stars have no value
 // \return Ok, Cancelled or OutOfMemory. Complexity: O(n), in parallel.
 Status placeInFrame(SearchedSurface& surface, Monitor& monitor);
 

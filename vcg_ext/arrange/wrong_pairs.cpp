@@ -58,7 +58,7 @@ Status search(const FacesView& faces, const WrongPairOptions& options, Monitor& 
 	if (faces.count() == 0) {
 		return {};
 	}
-	SearchedSurface surface{faces, options.threads, options.isSuspect, {}, {}, {}};
+	SearchedSurface surface{faces, options.threads, options.isSuspect, {}, 0, {}, {}};
 	PairJudge judge(faces, monitor, taker);
 	WordsLeave left;
 	FaceOrder order;

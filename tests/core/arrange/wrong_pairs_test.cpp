@@ -441,7 +441,7 @@ struct Certified {
 	SearchedSurface surface;
 	WordsLeave left;
 
-	explicit Certified(const Mesh& mesh) : surface{viewed(mesh), 1, nullptr, {}, {}, {}} {
+	explicit Certified(const Mesh& mesh) : surface{viewed(mesh), 1, nullptr, {}, 0, {}, {}} {
 		Monitor monitor;
 		const Status status = inOrder([&] { return placeInFrame(surface, monitor); },
 		                              [&] { return findUnbalancedVertices(surface, monitor); },
@@ -449,6 +449,47 @@ struct Certified {
 		EXPECT_TRUE(status.ok());
 	}
 };
+
+// Thin bars side by side, by twos through each other; turned, their boxes all overlap.
+Mesh bars(int side, bool areTurned) {
+	constexpr double kCos = 0.6, kSin = 0.8;
+	Mesh all;
+	for (int i = 0; i < side * side; ++i) {
+		const double x = 0.1 * (i / side) - (i / side % 2) * 0.07, y = 0.1 * (i % side);
+		const Mesh bar = shapes::box({x, y, 0}, {x + 0.04, y + 0.05, 9 + 0.01 * i});
+		all = all.points.empty() ? bar : shapes::joined(all, bar);
+	}
+	for (Point& p : all.points) {
+		if (areTurned) {
+			p = {kCos * p[0] - kSin * p[2], p[1], kSin * p[0] + kCos * p[2]};
+			p = {p[0], kCos * p[1] - kSin * p[2], kSin * p[1] + kCos * p[2]};
+		}
+	}
+	return all;
+}
+
+TEST(SearchFrame, hasAxesOfItsOwnWhereLongFacesLieAskew) {
+	EXPECT_GT(Certified(bars(7, true)).surface.boxMargin, 0);
+	EXPECT_EQ(Certified(bars(7, false)).surface.boxMargin, 0);
+	EXPECT_EQ(Certified(icosphere(4)).surface.boxMargin, 0);
+}
+
+TEST(WrongPairs, turnedBarsAreJudgedAsByRationalArithmetic) {
+	const Mesh mesh = bars(7, true);
+	const Found all = search(mesh);
+	EXPECT_FALSE(all.empty());
+	EXPECT_EQ(all, expected(mesh));
+}
+
+// In a frame with axes of its own stars are certified too, as its map is linear.
+TEST(WrongPairs, turnedBarsThatAreApartHaveNone) {
+	Mesh mesh = bars(7, true);
+	for (std::size_t i = 0; i < mesh.points.size(); ++i) {
+		mesh.points[i][0] += 20 * static_cast<double>(i / 8 / 7 % 2);  // each other row
+	}
+	EXPECT_GT(Certified(mesh).surface.boxMargin, 0);
+	EXPECT_TRUE(search(mesh).empty());
+}
 
 // Lists what it is asked about.
 class Asked : public WrongPairTaker {
