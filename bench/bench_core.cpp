@@ -54,7 +54,8 @@ struct CommandLine {
 	std::array<std::vector<double>, 2> transforms;  // 12 or 16 numbers, or none
 	Operation operation = Operation::Union;
 	int threads = 0, runs = 5, warmups = 1;
-	double seconds = 0;  // of timed runs, at least
+	double seconds = 0;         // of timed runs, at least
+	double mergeTolerance = 0;  // a length
 	std::string saveArrays;
 };
 
@@ -171,6 +172,7 @@ Options optionsOf(const CommandLine& commandLine) {
 	                            : commandLine.checkSelfIntersections ? SelfIntersections::Refuse
 	                                                                 : SelfIntersections::Trust;
 	options.certify = commandLine.certify;
+	options.mergeTolerance = commandLine.mergeTolerance;
 	return options;
 }
 
@@ -610,6 +612,9 @@ CommandLine parse(int argc, char** argv) {
 	             "Times also the search of both operands for faces that meet wrongly");
 	app.add_flag("--resolve", out.resolve,
 	             "Searches both operands, and resolves what meets itself, as hosts do");
+	app.add_option("--merge-tolerance", out.mergeTolerance,
+	               "A length: merges walls that lie within it of one plane")
+	    ->check(CLI::NonNegativeNumber);
 	app.add_option("--threads", out.threads, "0: as many as there are")
 	    ->check(CLI::NonNegativeNumber);
 	app.add_option("--runs", out.runs, "Timed runs, of which the median is taken")

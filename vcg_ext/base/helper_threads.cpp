@@ -7,20 +7,17 @@
 // nothing, too.)
 #include "vcg_ext/base/helper_threads.h"
 
-#include <algorithm>
+#include "vcg_ext/base/process.h"
+
 #include <atomic>
 #include <chrono>
 #include <condition_variable>
-#include <cstdlib>
 #include <exception>
 #include <memory>
 #include <mutex>
+#include <new>
 #include <thread>
 #include <vector>
-
-#ifndef _WIN32
-#include <unistd.h>
-#endif
 
 namespace index_boolean {
 
@@ -29,7 +26,8 @@ namespace {
 struct Work {
 	void* context;
 	void (*help)(void*);
-	int places;  // left
+	int places;            // left
+	Work* next = nullptr;  // on the list
 	std::atomic<int> inside{0};
 	std::condition_variable left{};
 };
@@ -67,6 +65,7 @@ public:
 	void call(Work& work);
 	void close(Work& work);
 	void end();
+	bool haveEnded() const { return hasEnded_; }
 
 private:
 	void startThreads(std::size_t count);
@@ -75,13 +74,13 @@ private:
 
 	std::mutex mutex_;  // of all below, and of what is on the list
 	std::condition_variable called_;
-	std::vector<Work*> open_;  // those with places left
-	std::atomic<bool> isAnyOpen_{false};
-	bool hasEnded_ = false;
+	Work* first_ = nullptr;  // of those with places left, in the order of calls
+	std::atomic<bool> isAnyOpen_{false}, hasEnded_{false};
 	std::vector<std::thread> threads_;
 };
 
 void Helpers::startThreads(std::size_t count) {
+	const SignalsBlocked signals;
 	try {
 		for (std::size_t i = 0; i < count; ++i) {
 			threads_.emplace_back([this] { helpForever(); });
@@ -91,15 +90,23 @@ void Helpers::startThreads(std::size_t count) {
 }
 
 void Helpers::takeOff(Work& work) {
-	open_.erase(std::find(open_.begin(), open_.end(), &work));
-	isAnyOpen_ = !open_.empty();
+	Work** place = &first_;
+	while (*place != &work) {
+		place = &(*place)->next;
+	}
+	*place = work.next;
+	isAnyOpen_ = first_ != nullptr;
 }
 
 void Helpers::call(Work& work) {
 	const auto wanted = static_cast<std::size_t>(work.places);
 	{
 		const std::unique_lock<std::mutex> lock = lockBriefly(mutex_);
-		open_.push_back(&work);
+		Work** last = &first_;
+		while (*last != nullptr) {
+			last = &(*last)->next;
+		}
+		*last = &work;
 		isAnyOpen_ = true;
 		if (threads_.size() < wanted && !hasEnded_) {
 			startThreads(wanted - threads_.size());
@@ -124,14 +131,15 @@ void Helpers::close(Work& work) {
 }
 
 void Helpers::helpForever() {
+	runAsProcess();
 	while (true) {
 		comesSoon([this] { return isAnyOpen_.load(); });
 		std::unique_lock<std::mutex> lock = lockBriefly(mutex_);
-		called_.wait(lock, [this] { return hasEnded_ || !open_.empty(); });
+		called_.wait(lock, [this] { return hasEnded_ || first_ != nullptr; });
 		if (hasEnded_) {
 			return;
 		}
-		Work& work = *open_.front();
+		Work& work = *first_;
 		if (--work.places == 0) {
 			takeOff(work);
 		}
@@ -155,20 +163,16 @@ void Helpers::end() {
 	}
 	called_.notify_all();
 	for (std::thread& thread : threads) {
-		thread.join();
+		if (thread.get_id() == std::this_thread::get_id()) {
+			thread.detach();  // its own fault has made it end the process
+		} else {
+			thread.join();
+		}
 	}
 }
 
-long processNumber() {
-#ifdef _WIN32
-	return 0;  // which has no fork()
-#else
-	return getpid();
-#endif
-}
-
 struct HelpersOfProcess {
-	long process = processNumber();
+	ProcessId process = currentProcess();
 	Helpers helpers{};
 };
 
@@ -176,16 +180,18 @@ struct HelpersOfProcess {
 std::atomic<HelpersOfProcess*> current{nullptr};
 
 // Those of this process. A child has none of its parent's threads, whose state it leaves alone.
-Helpers& helpersOfProcess() {
+// \return null if there is no memory for them
+Helpers* helpersOfProcess() {
 	HelpersOfProcess* found = current.load(std::memory_order_acquire);
-	if (found != nullptr && found->process == processNumber()) {
-		return found->helpers;
+	if (found != nullptr && found->process == currentProcess()) {
+		return &found->helpers;
 	}
-	auto made = std::make_unique<HelpersOfProcess>();
-	if (current.compare_exchange_strong(found, made.get(), std::memory_order_acq_rel)) {
-		return made.release()->helpers;
+	std::unique_ptr<HelpersOfProcess> made(new (std::nothrow) HelpersOfProcess);
+	if (made == nullptr ||
+	    current.compare_exchange_strong(found, made.get(), std::memory_order_acq_rel)) {
+		found = made.release();
 	}
-	return found->helpers;  // another thread was first
+	return found == nullptr ? nullptr : &found->helpers;  // another thread's, if that was first
 }
 
 #ifndef _WIN32
@@ -194,38 +200,30 @@ Helpers& helpersOfProcess() {
 struct AtUnload {
 	~AtUnload() {
 		HelpersOfProcess* const found = current.load(std::memory_order_acquire);
-		if (found != nullptr && found->process == processNumber()) {
+		if (found != nullptr && found->process == currentProcess()) {
 			found->helpers.end();
 		}
 	}
 } atUnload;
 #endif
 
-int askForThreads() {
-	const char* const asked = std::getenv("OMP_NUM_THREADS");
-	const long number = asked == nullptr ? 0 : std::strtol(asked, nullptr, 10);
-	constexpr long kMost = 1024;
-	return static_cast<int>(number > 0 ? std::min(number, kMost)
-	                                   : std::max(1U, std::thread::hardware_concurrency()));
-}
-
 }  // namespace
-
-int availableThreads() {
-	static const int number = askForThreads();
-	return number;
-}
 
 void workWithHelpers(int helpers, void* context, void (*work)(void* context),
                      void (*help)(void* context)) {
-	if (helpers <= 0) {
+	Helpers* const all = helpers > 0 ? helpersOfProcess() : nullptr;
+	if (all == nullptr) {
 		return work(context);
 	}
-	Helpers& all = helpersOfProcess();
 	Work offered{context, help, helpers};
-	all.call(offered);
+	all->call(offered);
 	work(context);
-	all.close(offered);
+	all->close(offered);
+}
+
+bool areHelpersToLeave() {
+	const HelpersOfProcess* const found = current.load(std::memory_order_acquire);
+	return found != nullptr && found->helpers.haveEnded();
 }
 
 }  // namespace index_boolean

@@ -8,16 +8,17 @@
 
 namespace index_boolean {
 
-// How many threads the machine lets this process use, at least 1; OMP_NUM_THREADS, if set, instead.
-// Complexity: O(1); the first call asks the system.
-int availableThreads();
-
 // Calls work(context) on this thread, and help(context) on up to `helpers` others, which are kept
 // for later calls; returns when all calls have returned. A helper that finds work(context) ended
 // is not let in. If a thread cannot be had, there are fewer. From any thread, and from several at
-// once; a child made by fork() has helpers of its own. Not to be called from inside help.
+// once; a child made by fork() has helpers of its own, but if it was made from inside work, this
+// call never returns in it. Not to be called from inside help.
 // \pre neither throws. Complexity: that of the work, and O(helpers) calls of the system.
 void workWithHelpers(int helpers, void* context, void (*work)(void* context),
                      void (*help)(void* context));
+
+// Whether helpers should leave the rest to whom they help, since the process ends or this library
+// is unloaded. From inside help. Complexity: O(1).
+bool areHelpersToLeave();
 
 }  // namespace index_boolean

@@ -12,8 +12,10 @@
 #include <cstdint>
 #include <mutex>
 #include <new>
+#include <vector>
 
 #if defined(__linux__) && !defined(INDEX_BOOLEAN_HEAP_ONLY)
+#include <pthread.h>
 #include <sys/mman.h>
 #endif
 
@@ -98,13 +100,20 @@ public:
 		++users_;
 	}
 
+	// Gives memory back while nobody waits.
 	void removeUser() {
-		const std::lock_guard<std::mutex> lock(mutex_);
-		if (--users_ == 0) {
-			std::for_each(blocks_.begin(), blocks_.end(), unmap);
-			blocks_.clear();
+		std::vector<Block> blocks;
+		{
+			const std::lock_guard<std::mutex> lock(mutex_);
+			if (--users_ == 0) {
+				blocks.swap(blocks_);
+			}
 		}
+		std::for_each(blocks.begin(), blocks.end(), unmap);
 	}
+
+	void lock() { mutex_.lock(); }
+	void unlock() { mutex_.unlock(); }
 
 private:
 	static constexpr std::size_t kMostBlocks = 256;
@@ -114,9 +123,18 @@ private:
 	std::vector<Block> blocks_;
 };
 
+KeptBlocks& keptBlocks();
+
+// A child made by fork() while another thread has the lock would find it taken for ever.
+KeptBlocks* makeKeptBlocks() {
+	pthread_atfork([] { keptBlocks().lock(); }, [] { keptBlocks().unlock(); },
+	               [] { keptBlocks().unlock(); });
+	return new KeptBlocks;
+}
+
 // Never destroyed: arrays in static memory may outlive everything else.
 KeptBlocks& keptBlocks() {
-	static auto* const blocks = new KeptBlocks;
+	static auto* const blocks = makeKeptBlocks();
 	return *blocks;
 }
 

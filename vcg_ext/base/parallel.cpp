@@ -6,6 +6,7 @@
 #include "vcg_ext/base/parallel.h"
 
 #include "vcg_ext/base/helper_threads.h"
+#include "vcg_ext/base/process.h"
 
 #include <atomic>
 #include <exception>
@@ -48,7 +49,7 @@ void runOneChunk(Run& run, std::size_t chunk) {
 // Takes chunks until none is left or the run stops. One call per thread.
 void work(Run& run) {
 	const FpEnvironmentGuard environment;
-	while (!run.stopped()) {
+	while (!run.stopped() && !(helping && areHelpersToLeave())) {
 		const std::size_t chunk = run.next.fetch_add(1, std::memory_order_relaxed);
 		if (chunk >= run.chunks) {
 			return;
