@@ -10,6 +10,7 @@ import functools
 import numpy as np
 
 from .carried_columns import CarriedColumns
+from .host_lock import host_lock
 from .host_words import in_words_of_python
 from .mesh_record import Column, MeshRecord
 from .plugin import LENGTHS, load_plugin
@@ -67,7 +68,8 @@ class MeshDocument:
     _refused = None  # the host writes to the log of the document that was refused last
 
     def __init__(self, records, names, keeps_polygons=True, classes=False, columns=True):
-        self.meshes = _host().MeshSet()
+        with host_lock():
+            self.meshes = _host().MeshSet()
         self._columns = CarriedColumns(records if columns else [])
         self._has_polygons = keeps_polygons and any(record.has_polygons for record in records)
         self._triangulations = []
@@ -78,7 +80,8 @@ class MeshDocument:
                 if classes:
                     face = triangulation.faces_of(np.arange(mesh.face_number()))
                     self._columns.add_classes_to(mesh, number, face)
-            self.meshes.add_mesh(mesh, name)
+            with host_lock():
+                self.meshes.add_mesh(mesh, name)
             self._triangulations.append(triangulation)
 
     @property
@@ -93,16 +96,16 @@ class MeshDocument:
         ValueError for values that an option does not have.
         """
         pymeshlab = _host()
-        parameters = {**own, **_as_the_host_takes_them(filter_name, own, options)}
-        try:
-            result = self.meshes.apply_filter(filter_name, **parameters)
-        except pymeshlab.InvalidEnumException as error:
-            raise ValueError(str(error).strip()) from None
-        except pymeshlab.PyMeshLabException as error:
-            MeshDocument._refused = self.meshes
-            _, _, refusal = str(error).partition("Details: ")  # after the host's own opening
-            raise self._refusal(refusal or str(error)) from None
-        return result
+        with host_lock():
+            parameters = {**own, **_as_the_host_takes_them(filter_name, own, options)}
+            try:
+                return self.meshes.apply_filter(filter_name, **parameters)
+            except pymeshlab.InvalidEnumException as error:
+                raise ValueError(str(error).strip()) from None
+            except pymeshlab.PyMeshLabException as error:
+                MeshDocument._refused = self.meshes
+                _, _, refusal = str(error).partition("Details: ")  # after the host's own opening
+                raise self._refusal(refusal or str(error)) from None
 
     def _refusal(self, sentence):
         if "bad_alloc" in sentence or "not enough memory" in sentence:
