@@ -59,6 +59,11 @@ class KnownMeshes:
                 self._read_alone(library, number)
             raise
         for number, record in zip(own, records):
+            if len(record.vertices) == 0:  # of which the host makes no layer
+                raise MeshRefusal(
+                    f'Mesh "{self.names[number]}" is empty: it has no faces and no vertices. '
+                    "Choose a mesh with faces.", number
+                )
             self.records[number] = record
 
     def _read_alone(self, library, number):

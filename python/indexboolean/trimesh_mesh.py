@@ -41,7 +41,7 @@ def write(record, operands):
         material = _texture_coordinates(operands)[1]
         mesh.visual = trimesh.visual.TextureVisuals(uv=uv.values, material=material)
     for name, colour in zip(("vertex_colors", "face_colors"), colours):
-        if colour is not None:
+        if colour is not None and len(mesh.faces) > 0:  # trimesh cannot copy colours of nothing
             setattr(mesh.visual, name, colour.values)
     if len({operand.units for operand in operands}) == 1:
         mesh.units = operands[0].units

@@ -243,10 +243,33 @@ def test_pyvistaStripsAreRefusedWithARemedyThatHelps():
     assert result.volume == pytest.approx(volume(*indexboolean.boolean(BALL, BOX)), rel=1e-6)
 
 
-def test_pyvistasEmptyResultIsAnEmptyMesh():
-    far = polydata(BALL).translate((9, 9, 9))
-    result = indexboolean.boolean(polydata(BALL), far, "intersection")
-    assert isinstance(result, pyvista.PolyData) and result.n_cells == 0
+@pytest.mark.parametrize("make", [pyvista.Sphere, pyvista.Cube], ids=["normals", "seams"])
+def test_pyvistasEmptyResultIsAnEmptyMesh(make):
+    mesh = make()
+    mesh.point_data["vector"] = np.asarray(mesh.points)
+    mesh.cell_data["colour"] = np.zeros((mesh.n_cells, 3), dtype=np.uint8)
+    mesh.cell_data["zone"] = np.arange(mesh.n_cells)
+    mesh.set_active_vectors("vector")
+    far = mesh.translate((9, 9, 9))
+    both = indexboolean.boolean(mesh, far, ("intersection", "union"), sources=True)
+    assert both["union"].n_cells > both["intersection"].n_cells == 0
+    statements = indexboolean.evaluate("a & b; a - a", {"a": mesh, "b": far})
+    for result in (both["intersection"], *statements.values()):
+        assert isinstance(result, pyvista.PolyData) and result.n_points == result.n_cells == 0
+        assert result.cell_data["zone"].dtype == mesh.cell_data["zone"].dtype
+        result.copy().clean()
+
+
+@pytest.mark.parametrize("kind", ["vertex_colors", "face_colors", "texture"])
+def test_trimeshsEmptyResultIsAnEmptyMesh(kind):
+    ball, cube = trimeshes()
+    if kind == "texture":
+        textured(ball, (255, 0, 0))
+    else:
+        setattr(ball.visual, kind, [10, 20, 30, 255])
+    cube.apply_translation((9, 9, 9))
+    result = indexboolean.boolean(ball, cube, "intersection").copy()
+    assert isinstance(result, trimesh.Trimesh) and result.is_empty
 
 
 @pytest.mark.parametrize("make, remedy", [

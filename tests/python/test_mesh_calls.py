@@ -18,7 +18,7 @@ import indexboolean
 import refusal_cases
 from conftest import box, crossing_bars, joined, sphere
 from indexboolean.host_words import in_words_of_python
-from library_meshes import ALL, CARRYING, Arrays, PyVista, Trimesh, volume
+from library_meshes import ALL, CARRYING, Arrays, Meshio, PyVista, Trimesh, volume
 from plain_solids import halved
 from refusals_of_filters import ALL as CASES
 
@@ -274,6 +274,26 @@ def test_dataFollowTheOrderInWhichTheTextNamesMeshes():
 
 
 @pytest.mark.parametrize("library", ALL)
+@pytest.mark.parametrize("has_polygons", [False, True])
+def test_anEmptyResultIsAnEmptyMesh(library, has_polygons):
+    first, far = (
+        made(library, mesh, 1) for mesh in (
+            (cube_of_quads((0, 0, 0), (1, 1, 1)), cube_of_quads((9, 9, 9), (10, 10, 10)))
+            if has_polygons and library.has_polygons else (SPHERE, sphere((9, 9, 9)))
+        )
+    )
+    for options in ({}, {"sources": True}):
+        results = [
+            indexboolean.boolean(first, far, "intersection", **options),
+            *indexboolean.boolean(first, first, ("difference", "xor"), **options).values(),
+            *indexboolean.evaluate("a & b; a - a", {"a": first, "b": far}, **options).values(),
+        ]
+        for result in results:
+            points, faces = library.arrays(result)
+            assert type(result) is library.type and len(points) == len(faces) == 0
+
+
+@pytest.mark.parametrize("library", ALL)
 def test_resolveGivesOneSurface(library):
     bars = library.make(*crossing_bars(), {}, {})
     report = {}
@@ -413,6 +433,28 @@ def test_facesThatAreNoneAreRefused(faces, sentence, numbers):
 def test_verticesThatAreNoneAreRefused(vertices):
     with pytest.raises(indexboolean.MeshRefusal, match="vertices are n x 3 numbers"):
         indexboolean.boolean((vertices, BOX[1]), SPHERE)
+
+
+@pytest.mark.parametrize("empty", [
+    ([], []), (np.empty((0, 3)), np.empty((0, 3), dtype=int)), Trimesh.type(), PyVista.type(),
+    Meshio.type(np.empty((0, 3)), []),
+])
+def test_aMeshWithoutVerticesIsRefused(empty):
+    calls = {
+        "first": lambda: indexboolean.boolean(empty, BOX),
+        "second": lambda: indexboolean.boolean(BOX, empty),
+        "b": lambda: indexboolean.evaluate("a - b", {"a": BOX, "b": empty}),
+        "mesh": lambda: indexboolean.resolve(empty),
+        "mesh 1": lambda: indexboolean.split(BOX, empty),
+    }
+    for name, call in calls.items():
+        with pytest.raises(indexboolean.MeshRefusal, match="is empty: it has no faces") as refusal:
+            call()
+        assert f'Mesh "{name}"' in refusal.value.sentence
+        assert refusal.value.operand == (name in ("second", "b", "mesh 1"))
+    for meshes in ((empty, BOX), (BOX, empty)):
+        with pytest.raises(indexboolean.MeshRefusal, match="is empty: it has no faces"):
+            indexboolean.distance(*meshes)
 
 
 def test_coordinatesThatAreNotFiniteAreRefused():
