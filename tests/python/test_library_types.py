@@ -86,6 +86,72 @@ def test_aTrimeshWithoutTextureBesideOneThatHasOne():
     assert result.visual.kind == "texture" and result.visual.material is cube.visual.material
 
 
+LOOKS = {
+    "vertex_colors": "vertex", "face_colors": "face", "image": "texture", "PBR image": "texture",
+    "PBR colour": "texture", "colour": "texture", "no coordinates": None, "none": None,
+}
+
+
+def with_look(mesh, look, colour):
+    material = trimesh.visual.material
+    image = Image.new("RGB", (8, 8), colour)
+    materials = {
+        "image": lambda: material.SimpleMaterial(image=image),
+        "PBR image": lambda: material.PBRMaterial(baseColorTexture=image, metallicFactor=0.5),
+        "PBR colour": lambda: material.PBRMaterial(baseColorFactor=(*colour, 255)),
+        "colour": lambda: material.SimpleMaterial(diffuse=colour),
+        "no coordinates": lambda: material.SimpleMaterial(diffuse=colour),
+    }
+    if look in materials:
+        uv = None if look == "no coordinates" else plain(mesh.vertices)
+        mesh.visual = trimesh.visual.TextureVisuals(uv=uv, material=materials[look]())
+    elif look != "none":
+        setattr(mesh.visual, look, (*colour, 255))
+    return mesh
+
+
+def drawn_colours(mesh):
+    """Of vertices, or of faces where these have them."""
+    if mesh.visual.kind != "texture":
+        return getattr(mesh.visual, f"{mesh.visual.kind}_colors")
+    material = mesh.visual.material
+    if getattr(material, "image", None) or getattr(material, "baseColorTexture", None):
+        return mesh.visual.to_color().vertex_colors
+    return np.tile(material.main_color, (len(mesh.vertices), 1))
+
+
+@pytest.mark.parametrize("second", LOOKS)
+@pytest.mark.parametrize("first", LOOKS)
+def test_twoTrimeshesOfAnyLooksHaveThatOfTheFirstThatHasOne(first, second):
+    given = [
+        with_look(mesh, look, colour) for mesh, look, colour in zip(
+            trimeshes(), (first, second), ((255, 0, 0), (0, 255, 0))
+        )
+    ]
+    before = [getattr(mesh.visual, "material", None) for mesh in given]
+    result = indexboolean.boolean(*given, sources=True)
+    kind = LOOKS[first] or LOOKS[second]
+    assert result.visual.kind == kind
+    assert before == [getattr(mesh.visual, "material", None) for mesh in given]
+    if kind is None:
+        return
+    attributes = result.face_attributes if kind == "face" else result.vertex_attributes
+    colours, source = drawn_colours(result), attributes["source_mesh"]
+    for number, look in enumerate((first, second)):
+        if LOOKS[look] == kind or LOOKS[look] and kind != "texture":
+            own = colours[source == number]
+            assert np.all(own == ((255, 0, 0, 255), (0, 255, 0, 255))[number]), number
+
+
+def test_anImageBesideAPbrMaterialKeepsItsColours():
+    ball, cube = trimeshes()
+    with_look(ball, "PBR colour", (255, 0, 0))
+    with_look(cube, "image", (40, 80, 160))
+    result = indexboolean.boolean(ball, cube, sources=True)
+    of_cube = result.vertex_attributes["source_mesh"] == 1
+    assert np.all(drawn_colours(result)[of_cube] == (40, 80, 160, 255))
+
+
 def test_trimeshUnitsAreKeptIfTheyAgree():
     ball, cube = trimeshes()
     ball.units = cube.units = "mm"
