@@ -350,6 +350,44 @@ def test_whatIsNoMeshIsToldHowToBecomeOne(make, remedy):
     indexboolean.boolean(remedy(mesh), BALL)
 
 
+def meshio_with(kind, name, values):
+    mesh = meshio_of(BOX, **{kind: {}})
+    getattr(mesh, kind)[name] = values  # as meshio's constructor checks them
+    return mesh
+
+
+def trimesh_with(kind, values):
+    mesh = trimesh.Trimesh(*BOX, process=False)
+    if kind == "uv":
+        mesh.visual = trimesh.visual.TextureVisuals(uv=values)
+    else:
+        getattr(mesh, kind)["q"] = values
+    return mesh
+
+
+VERTEX_DATA = 'vertex data "q" have 9 values, not 8, one for each vertex'
+FACE_DATA = 'face data "q" have 1 value, not 12, one for each face'
+
+
+@pytest.mark.parametrize("make, sentence", [
+    (lambda: trimesh_with("vertex_attributes", np.zeros(9)), VERTEX_DATA),
+    (lambda: trimesh_with("face_attributes", np.zeros((1, 3))), FACE_DATA),
+    (lambda: trimesh_with("face_attributes", 3), FACE_DATA),
+    (lambda: trimesh_with("uv", np.zeros((7, 2))), 'vertex data "visual uv" have 7 values, not 8'),
+    (lambda: meshio_with("point_data", "q", np.zeros(9)), VERTEX_DATA),
+    (lambda: meshio_with("cell_data", "q", [np.zeros(9)]), '"q, 0" have 9 values, not 12, one'),
+    (lambda: meshio_with("cell_data", "q", []), 'cell data "q" has 0 blocks, not 1'),
+    (lambda: meshio_with("point_sets", "q", [2, 8]), '"q" names number 8, of which there are 8'),
+    (lambda: meshio_with("point_sets", "q", [-1]), 'set "q" names number -1'),
+    (lambda: meshio_with("cell_sets", "q", [[12]]), '"q" names number 12, of which there are 12'),
+    (lambda: meshio_with("cell_sets", "q", []), 'cell set "q" has 0 blocks, not 1'),
+])
+def test_dataOfAnotherLengthAreRefused(make, sentence):
+    with pytest.raises(indexboolean.MeshRefusal, match=sentence) as refusal:
+        indexboolean.boolean(BALL, make())
+    assert refusal.value.operand == 1 and 'Mesh "second" cannot be used: its ' in str(refusal.value)
+
+
 def meshio_of(mesh, **more):
     points, faces = mesh
     return meshio.Mesh(points, [("triangle", faces)], **more)
@@ -407,6 +445,12 @@ def test_theMeshioRemediesHelp():
     second_order = np.concatenate([BOX[1], BOX[1]], axis=1)
     linear = meshio.Mesh(BOX[0], [("triangle", second_order[:, :3])])
     assert volume(*Meshio.arrays(indexboolean.resolve(linear))) == pytest.approx(3, rel=1e-15)
+
+
+def test_whatMeshioKeepsAmongTheSetsButIsNoneIsLeftOut():
+    entities = {"gmsh:bounding_entities": [np.array([-3, 7, 99])]}
+    result = indexboolean.boolean(meshio_of(BOX, cell_sets=entities), meshio_of(BALL))
+    assert result.cell_sets == {}
 
 
 def test_meshioFilesComeBackFromDisk(tmp_path):
