@@ -13,6 +13,7 @@ from .carried_columns import CarriedColumns
 from .host_lock import host_lock
 from .host_words import in_words_of_python
 from .mesh_record import Column, MeshRecord
+from .option_values import taken
 from .plugin import LENGTHS, load_plugin
 from .turned_normals import turned_normals
 
@@ -92,8 +93,8 @@ class MeshDocument:
     def run(self, filter_name, own, options):
         """The filter's result map; own are the caller's parameters, options those of its user.
 
-        Raises MeshRefusal, MemoryError, TypeError for options that the filter does not have, and
-        ValueError for values that an option does not have.
+        Raises MeshRefusal, MemoryError, TypeError for options that the filter does not have and
+        for values of another type, and ValueError for values that an option does not have.
         """
         pymeshlab = _host()
         with host_lock():
@@ -228,16 +229,13 @@ def _parameters_of(filter_name):
 
 
 def _as_the_host_takes_them(filter_name, own, options):
-    """The options with lengths and truth values of the host's types."""
+    """The options with values of the host's types."""
     known = {k: v for k, v in _parameters_of(filter_name).items() if k not in own}
     unknown = sorted(options.keys() - known.keys())
     if unknown:
         raise TypeError(f"there is no option {unknown[0]}; there are {', '.join(sorted(known))}")
-    taken = {}
-    for name, value in options.items():
-        if name in LENGTHS:
-            value = _host().PureValue(float(value))
-        elif isinstance(known[name], bool):
-            value = bool(value)
-        taken[name] = value
-    return taken
+    values = {name: taken(name, value, known[name]) for name, value in options.items()}
+    return {
+        name: _host().PureValue(value) if name in LENGTHS else value
+        for name, value in values.items()
+    }

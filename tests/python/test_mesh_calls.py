@@ -13,6 +13,7 @@ import warnings
 import numpy as np
 import pymeshlab
 import pytest
+import trimesh
 
 import indexboolean
 import refusal_cases
@@ -260,6 +261,37 @@ def test_evaluateTakesNamesAndGivesAResultForEachStatement(library):
     assert type(indexboolean.evaluate("a | b", {"a": a, "b": b})) is library.type
 
 
+@pytest.mark.parametrize("text, name", [
+    ("result_1 = a - b; a & b", "result_1"), ("a - b; result_0 = a & b", "result_0"),
+    ("a - b; b - a; result_2 = a; result_1 = b", "result_1"),
+])
+def test_aNameThatAnUnnamedStatementWouldHaveIsRefused(text, name):
+    with pytest.raises(indexboolean.MeshRefusal, match=f'would be "{name}".* Give it a name'):
+        indexboolean.evaluate(text, {"a": SPHERE, "b": BOX})
+
+
+def test_aStatementMayHaveTheNameThatItWouldHave():
+    made_of = indexboolean.evaluate("result_0 = a - b; result_0 | b", {"a": SPHERE, "b": BOX})
+    assert list(made_of) == ["result_0", "result_1"]
+
+
+@pytest.mark.parametrize("call, options", [
+    (indexboolean.boolean, ("curves", "select_curve_vertices")),
+    (lambda a, b, **options: indexboolean.evaluate("a - b", {"a": a, "b": b}, **options),
+     ("curves", "select_curve_vertices", "hide_operands")),
+    (lambda a, b, **options: indexboolean.resolve(a, **options), ("select_curve_vertices",)),
+    (indexboolean.split, (
+        "sub_surfaces_first", "sub_surfaces_second", "first_inside_second", "second_outside_first",
+        "separate_layers", "max_layers", "layers", "transfer_attributes",
+    )),
+    (indexboolean.distance, ("color", "sources", "transfer_attributes")),
+])
+def test_whatWouldHaveNoEffectIsNoOption(call, options):
+    for option in options:
+        with pytest.raises(TypeError, match=f"there is no option {option};"):
+            call(SPHERE, BOX, **{option: False})
+
+
 def test_dataFollowTheOrderInWhichTheTextNamesMeshes():
     a, b = operands(Trimesh)
     result = indexboolean.evaluate("b - a", {"a": a, "b": b}, sources=True)
@@ -465,8 +497,17 @@ def test_coordinatesThatAreNotFiniteAreRefused():
     assert np.array_equal(refusal.value.faces, np.flatnonzero(np.any(BOX[1] == 3, axis=1)))
 
 
+MESH = Trimesh.type(*BOX)
+LISTS = [(points.tolist(), faces.tolist()) for points, faces in (SPHERE, BOX)]
+
+
+def trimesh_union(meshes):
+    indexboolean.register_trimesh_engine()
+    return trimesh.boolean.union(meshes, engine="indexboolean")
+
+
 @pytest.mark.parametrize("call, error, sentence", [
-    (lambda: indexboolean.boolean(SPHERE, 3), TypeError, 'mesh "second" is a builtins.int'),
+    (lambda: indexboolean.boolean(SPHERE, 3), TypeError, 'mesh "second" is of type int; known'),
     (lambda: indexboolean.boolean(SPHERE, BOX, "plus"), ValueError, "no operation 'plus'"),
     (lambda: indexboolean.boolean(SPHERE, BOX, winding_role="odd"), TypeError,
      "no option winding_role; there are .*winding_rule"),
@@ -479,6 +520,27 @@ def test_coordinatesThatAreNotFiniteAreRefused():
      "is the name of a mesh"),
     (lambda: indexboolean.evaluate("a", {"union": BOX}), ValueError, "cannot be a mesh's name"),
     (lambda: indexboolean.split(), TypeError, "there is no mesh"),
+    (lambda: indexboolean.boolean(SPHERE, BOX, BOX), TypeError, "operation is a name such"),
+    (lambda: indexboolean.boolean(SPHERE, BOX, MESH), TypeError, "evaluate.* is of more"),
+    (lambda: indexboolean.boolean(SPHERE, BOX, None), TypeError, "and not of type NoneType; evalu"),
+    (lambda: indexboolean.boolean(SPHERE, BOX, ()), ValueError, "no operation is asked for; there"),
+    (lambda: indexboolean.boolean([MESH, MESH], BOX), TypeError, '"first" is a list of meshes'),
+    (lambda: indexboolean.split([MESH, MESH]), TypeError, r"one by one, as in split\(a, b\)"),
+    (lambda: indexboolean.split([SPHERE, BOX, BOX]), TypeError, '"mesh 0" is a list of meshes'),
+    (lambda: indexboolean.split(LISTS), TypeError, '"mesh 0" is a list of meshes'),
+    (lambda: indexboolean.evaluate("a - b", [SPHERE, BOX]), TypeError, 'such as {"a": a, "b": b}'),
+    (lambda: indexboolean.evaluate("a", {1: BOX}), TypeError, "a name of a mesh is a text"),
+    (lambda: indexboolean.evaluate(BOX, {"a": BOX}), TypeError, "expression is a text such as"),
+    (lambda: indexboolean.boolean(SPHERE, BOX, merge_tolerance=None), TypeError,
+     "merge_tolerance is a number, not None"),
+    (lambda: indexboolean.boolean(SPHERE, BOX, weld_distance="1"), TypeError, "a number, not '1'"),
+    (lambda: indexboolean.boolean(SPHERE, BOX, octree_max_depth="7"), TypeError,
+     "octree_max_depth is a whole number, not '7'"),
+    (lambda: indexboolean.boolean(SPHERE, BOX, winding_rule=None), TypeError, "is a word such as"),
+    (lambda: indexboolean.boolean(SPHERE, BOX, merge_coplanar="no"), TypeError, "True or False"),
+    (lambda: indexboolean.resolve(SPHERE, outer_hull="no"), TypeError, "outer_hull is True"),
+    (lambda: indexboolean.boolean(SPHERE, BOX, transfer_attributes=None), TypeError, "or False"),
+    (lambda: trimesh_union([]), ValueError, "there is no mesh; union takes a list of one or more"),
 ])
 def test_mistakesAreToldApart(call, error, sentence):
     with pytest.raises(error, match=sentence):
