@@ -140,6 +140,20 @@ def test_newVerticesHaveTheMeanOfTheFaceThatTheyLieIn(library):
 
 
 @pytest.mark.parametrize("library", CARRYING)
+@pytest.mark.parametrize("kind", [np.int64, np.uint64, np.int8])
+@pytest.mark.parametrize("limit", ["min", "max"])
+def test_theLimitsOfIntegersStayThemselvesWithoutAWarning(library, kind, limit):
+    value = getattr(np.iinfo(kind), limit)
+    first, second = (
+        library.make(*mesh, {"limit": np.full(len(mesh[0]), value)}, {}) for mesh in (SPHERE, BOX)
+    )
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        values = library.data(indexboolean.boolean(first, second))[0]["limit"]
+    assert np.all(values == value)
+
+
+@pytest.mark.parametrize("library", CARRYING)
 def test_dataThatOneMeshLacksIsMissingThere(library):
     points, faces = SPHERE
     first = library.make(points, faces, {"q": affine(points)}, {"k": np.arange(len(faces))})
