@@ -212,6 +212,53 @@ def test_trimeshWithoutATableOfEnginesIsToldSo(monkeypatch):
         indexboolean.register_trimesh_engine()
 
 
+@pytest.mark.parametrize("subdivisions", [3, 4])
+@pytest.mark.parametrize("name", ["union", "intersection", "difference", "second_minus_first"])
+def test_inFloatsTrimeshsMergingOpensNoResult(name, subdivisions, tmp_path):
+    ball = trimesh.creation.icosphere(subdivisions=subdivisions)
+    bar = trimesh.creation.box((1, 1, 3))
+    for options, is_closed in (({}, False), ({"certify_as": "float"}, True)):
+        result = indexboolean.boolean(ball, bar, name, **options)
+        shortest = np.ptp(result.vertices[result.edges_unique], axis=1).max(axis=1).min()
+        assert result.is_watertight and (shortest > 1e-7) == is_closed
+        merged = result.copy()
+        merged.merge_vertices()
+        assert merged.is_watertight == is_closed
+        for suffix in ("stl", "ply", "glb"):
+            result.export(tmp_path / f"a.{suffix}")
+            loaded = trimesh.load_mesh(tmp_path / f"a.{suffix}")
+            assert loaded.is_watertight or not is_closed, suffix
+
+
+def test_mergedWallsTakeShortEdgesAway():
+    ball, bar = trimesh.creation.icosphere(subdivisions=4), trimesh.creation.box((1, 1, 3))
+    result = indexboolean.boolean(ball, bar, merge_tolerance=1e-6)
+    result.merge_vertices()
+    assert result.is_watertight
+
+
+def test_aSeamOfATrimeshIsClosedOnceItIsMerged():
+    ball, cube = trimeshes()
+    cube.unmerge_vertices()
+    uv = np.random.default_rng(1).random((36, 2))
+    cube.visual = trimesh.visual.TextureVisuals(uv=uv)
+    result = indexboolean.boolean(ball, cube, certify_as="float")
+    assert not result.is_watertight
+    result.merge_vertices(merge_tex=True)
+    assert result.is_watertight
+    assert indexboolean.boolean(ball, cube, transfer_attributes=False).is_watertight
+
+
+def test_aSeamOfAPolyDataIsClosedOnceItIsCleaned():
+    cube, pipe = pyvista.Cube(), pyvista.Cylinder(radius=0.2, height=3)
+    result = indexboolean.boolean(cube, pipe)
+    assert not result.is_manifold and result.clean().is_manifold
+    assert indexboolean.boolean(cube, pipe, transfer_attributes=False).is_manifold
+    for mesh in (cube, pipe):
+        mesh.point_data.clear()
+    assert indexboolean.boolean(cube, pipe).is_manifold
+
+
 def polydata(mesh):
     points, faces = mesh
     return pyvista.PolyData.from_regular_faces(points, faces)
