@@ -30,7 +30,9 @@ def read_all(meshes):
 def write(record, operands):
     """A Mesh with a block of triangles, one of quads, and one of polygons of each other size."""
     sizes, blocks, faces = [3], [slice(None)], [record.faces]
-    if record.has_polygons:
+    if record.has_polygons and not record.faces:
+        faces = [np.empty((0, 3), dtype=int)]  # meshio writes no mesh without a block
+    elif record.has_polygons:
         counts = np.array([len(face) for face in record.faces])
         sizes = np.unique(counts)
         blocks = [np.flatnonzero(counts == size) for size in sizes]

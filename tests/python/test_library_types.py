@@ -468,6 +468,23 @@ def test_meshioSetsAndFieldDataAreKept():
     assert set(result.field_data) == {"inlet", "outlet"}
 
 
+@pytest.mark.parametrize("kind", ["triangle", "quad"])
+def test_meshiosEmptyResultCanBeWritten(kind, tmp_path):
+    points, faces = BOX
+    if kind == "quad":
+        faces = np.array(
+            [(0, 2, 3, 1), (4, 5, 7, 6), (0, 1, 5, 4), (2, 6, 7, 3), (0, 4, 6, 2), (1, 3, 7, 5)]
+        )
+    cube = meshio.Mesh(
+        points, [(kind, faces)], point_data={"q": points}, cell_sets={"all": [np.arange(6)]},
+        cell_data={"zone": [np.arange(len(faces))]},
+    )
+    result = indexboolean.boolean(cube, cube, "difference")
+    assert [(block.type, block.data.shape) for block in result.cells] == [("triangle", (0, 3))]
+    result.write(tmp_path / "empty.vtu")
+    assert (tmp_path / "empty.vtu").stat().st_size > 0
+
+
 @pytest.mark.parametrize("cells, sentence", [
     (("tetra", [[0, 1, 2, 4]]), "cells of type tetra, 1 of them. Take its boundary"),
     (("triangle6", [[0, 1, 2, 3, 4, 5]]), "type triangle6, 1 of them. Leave out the nodes"),
