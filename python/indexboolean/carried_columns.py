@@ -208,9 +208,10 @@ def _from_doubles(doubles, like):
     if kind in "iu":
         limits = np.iinfo(like.dtype)
         rounded = np.rint(doubles)
-        values = np.clip(rounded, limits.min, limits.max).astype(like.dtype)
-        # The nearest doubles to the limits of 64 bits may lie beyond them.
-        values[rounded >= limits.max] = limits.max
+        # The nearest double to the largest number of 64 bits lies beyond it.
+        is_most = rounded >= limits.max
+        values = np.where(is_most, 0, rounded).clip(min=limits.min).astype(like.dtype)
+        values[is_most] = limits.max
         return values.reshape(shape)
     return doubles.reshape(shape).astype(like.dtype)
 

@@ -5,6 +5,8 @@
 Guarantee: a library is never imported: a mesh of its can only be there if the caller has done so.
 """
 
+import numpy as np
+
 from . import array_mesh, meshio_mesh, pyvista_mesh, trimesh_mesh
 from .mesh_document import MeshRefusal
 
@@ -59,6 +61,11 @@ class KnownMeshes:
                 self._read_alone(library, number)
             raise
         for number, record in zip(own, records):
+            if len(record.vertices) == 0:  # of which the host makes no layer
+                raise MeshRefusal(
+                    f'Mesh "{self.names[number]}" is empty: it has no faces and no vertices. '
+                    "Choose a mesh with faces.", number
+                )
             self.records[number] = record
 
     def _read_alone(self, library, number):
@@ -70,11 +77,31 @@ class KnownMeshes:
             raise MeshRefusal(sentence, number, getattr(error, "faces", ())) from error
 
 
+def kind_of(value):
+    """The name of its class, with that of the module."""
+    return f"{type(value).__module__}.{type(value).__qualname__}".removeprefix("builtins.")
+
+
 def _library_of(name, mesh):
+    if isinstance(mesh, (tuple, list)) and any(map(_is_a_mesh, mesh)):
+        raise TypeError(
+            f'mesh "{name}" is a {kind_of(mesh)} of meshes; they are passed one by one, as in '
+            'split(a, b), or by names, as in evaluate("a | b", {"a": a, "b": b})'
+        )
     for library in _LIBRARIES:
         if library.is_mesh(mesh):
             return library
-    kind = f"{type(mesh).__module__}.{type(mesh).__qualname__}"
+    kind = kind_of(mesh)
     remedy = _REMEDIES.get(kind)
     more = f"; {remedy}" if remedy else ""
-    raise TypeError(f'mesh "{name}" is a {kind}; known are {_KNOWN}{more}')
+    raise TypeError(f'mesh "{name}" is of type {kind}; known are {_KNOWN}{more}')
+
+
+def _is_a_mesh(item):
+    """Whether an item of a list is one; points and faces, and lists of them, are none."""
+    if array_mesh.is_mesh(item):
+        vertices = item[0]
+        if isinstance(vertices, (tuple, list)):
+            return len(vertices) > 0 and np.ndim(vertices[0]) == 1
+        return np.ndim(vertices) == 2
+    return any(library.is_mesh(item) for library in _LIBRARIES)

@@ -14,6 +14,7 @@ MemoryError and HostError. A result some of whose faces meet others wrongly as s
 RuntimeWarning.
 """
 
+import collections.abc
 import re
 import typing
 import warnings
@@ -22,10 +23,11 @@ import numpy as np
 
 from .evaluate_job import result_names
 from .expression_text import ExpressionError, ExpressionText, check_operand_name
-from .known_meshes import KnownMeshes
+from .known_meshes import KnownMeshes, kind_of
 from .mesh_document import MeshDocument, MeshRefusal
 from .mesh_record import Column, MeshRecord
-from .split_job import SUB_BLOCKS, SUB_SURFACES_OF_LIST
+from .option_values import length, truth
+from .split_job import CLIPS, SUB_BLOCKS, SUB_SURFACES, SUB_SURFACES_OF_LIST
 
 _BLOCKS = {
     name: name for name in (
@@ -34,6 +36,12 @@ _BLOCKS = {
 }
 OPERATIONS = {**_BLOCKS, "difference": "first_minus_second", "xor": "symmetric_difference"}
 _NUMBERS = ("sub_surface", "block_front", "block_back")
+# Parameters of the filters that would have no effect here, and so are no options.
+_NO_LAYERS = {"curves": False, "select_curve_vertices": False}
+_NO_PIECES = {
+    **{name: True for name in SUB_SURFACES}, **{clip: False for clip in CLIPS},
+    "separate_layers": False, "max_layers": 64,
+}
 
 
 class SplitPieces(typing.NamedTuple):
@@ -53,14 +61,12 @@ def boolean(first, second, operation="union", *, sources=False, report=None, **o
     "second_minus_first", "symmetric_difference" (or "xor"); or several of them, which cost one
     intersection together: then a dict of meshes by these names.
     """
-    asked = [operation] if isinstance(operation, str) else list(operation)
-    for name in asked:
-        if name not in OPERATIONS:
-            raise ValueError(f"there is no operation {name!r}; there are {', '.join(OPERATIONS)}")
+    asked = _operations_of(operation)
     known = KnownMeshes({"first": first, "second": second})
     document = _document(known, [0], options)
     blocks = {OPERATIONS[name] for name in asked}
     own = {"first_mesh": 0, "second_mesh": 1, **{name: name in blocks for name in _BLOCKS}}
+    own.update(_NO_LAYERS)
     result = _run(document, "generate_index_boolean", own, options, sources, report)
     meshes = {}
     for name in asked:
@@ -74,18 +80,13 @@ def boolean(first, second, operation="union", *, sources=False, report=None, **o
 def evaluate(expression, meshes, *, sources=False, report=None, **options):
     """The mesh that an expression over closed meshes makes; of several statements a dict of them.
 
-    meshes: {name: mesh}; expression: a text with these names, such as "a - (b | c)". Statements
-    without a name are "result_0" and so on.
+    meshes: {name: mesh}; expression: a text with these names, such as "a - (b | c)". The k-th
+    statement, from 0 on, is "result_<k>" if it has no name; another's name must not be that.
     """
-    for name in meshes:
-        check_operand_name(name, "mesh")
-    try:
-        text = ExpressionText(expression, list(meshes), "mesh")
-    except ExpressionError as error:
-        raise MeshRefusal(str(error)) from None
+    text = _text_of(expression, meshes)
     known = KnownMeshes(meshes)
     document = _document(known, [0], options)
-    own = {"expression": text.translated}
+    own = {"expression": text.translated, "hide_operands": False, **_NO_LAYERS}
     try:
         result = _run(
             document, "generate_index_boolean_expression", own, options, sources, report
@@ -106,7 +107,8 @@ def resolve(mesh, *, sources=False, report=None, **options):
     """A closed mesh that meets itself as one that does not; outer_hull: without what is inside."""
     known = KnownMeshes({"mesh": mesh})
     document = _document(known, [0], options)
-    result = _run(document, "generate_index_boolean_resolve", {"mesh": 0}, options, sources, report)
+    own = {"mesh": 0, "select_curve_vertices": False}
+    result = _run(document, "generate_index_boolean_resolve", own, options, sources, report)
     _warn_unless_it_holds("resolved mesh", result["resolved_self_intersections"])
     return known.mesh_of(document.record_of(result["resolved_layer"], with_sources=sources))
 
@@ -121,7 +123,7 @@ def split(*meshes, sources=False, report=None, **options):
     document = _document(known, range(len(meshes)), options)
     own = {
         "first_mesh": 0, "second_mesh": min(1, len(meshes) - 1), "hide_operands": False,
-        "layers": ",".join(str(number) for number in range(len(meshes))), "separate_layers": False,
+        "layers": ",".join(str(number) for number in range(len(meshes))), **_NO_PIECES,
     }
     result = document.run("generate_index_boolean_split", own, options)
     _report(result, report)
@@ -161,12 +163,64 @@ def distance(first, second, *, both_ways=False, report=None, **options):
     return tuple(measured) if both_ways else measured[0]
 
 
+def _operations_of(operation):
+    """The names of what is asked for, a list."""
+    try:
+        asked = [operation] if isinstance(operation, str) else list(operation)
+    except TypeError:
+        asked = [operation]
+    for name in asked:
+        if not isinstance(name, str):
+            raise TypeError(
+                'operation is a name such as "union", or several names, and not of type '
+                f'{kind_of(name)}; evaluate("a | b | c", {{"a": a, "b": b, "c": c}}) is of more '
+                "than two meshes"
+            )
+        if name not in OPERATIONS:
+            raise ValueError(f"there is no operation {name!r}; there are {', '.join(OPERATIONS)}")
+    if not asked:
+        raise ValueError(f"no operation is asked for; there are {', '.join(OPERATIONS)}")
+    return asked
+
+
+def _text_of(expression, meshes):
+    """The ExpressionText, if it is a text and the meshes are a dict with names for it."""
+    if not isinstance(expression, str):
+        kind = kind_of(expression)
+        raise TypeError(f'expression is a text such as "a - b", and not of type {kind}')
+    if not isinstance(meshes, collections.abc.Mapping):
+        raise TypeError(
+            'meshes are a dict of the names in the expression, such as {"a": a, "b": b}, and not '
+            f"of type {kind_of(meshes)}"
+        )
+    for name in meshes:
+        if not isinstance(name, str):
+            raise TypeError(f'a name of a mesh is a text such as "a", not {name!r}')
+        check_operand_name(name, "mesh")
+    try:
+        text = ExpressionText(expression, list(meshes), "mesh")
+    except ExpressionError as error:
+        raise MeshRefusal(str(error)) from None
+    names = result_names(text)
+    for number, (name, own) in enumerate(zip(names, text.statement_names())):
+        if own is None and names.count(name) > 1:
+            raise MeshRefusal(
+                f"Statement {number}, counted from 0, has no name of its own and would be "
+                f'"{name}", which is the name of another one. Give it a name.'
+            )
+    return text
+
+
 def _document(known, results, options):
     """The meshes as a document; results: which of them what is made will be of the type of."""
-    merges = bool(options.get("merge_coplanar", False)) or options.get("merge_tolerance", 0) > 0
+    merges = (
+        truth("merge_coplanar", options.get("merge_coplanar", False))
+        or length("merge_tolerance", options.get("merge_tolerance", 0)) > 0
+    )
     return MeshDocument(
         known.records, known.names, keeps_polygons=known.can_have_polygons(results) and not merges,
-        classes=merges, columns=bool(options.get("transfer_attributes", True)),
+        classes=merges,
+        columns=truth("transfer_attributes", options.get("transfer_attributes", True)),
     )
 
 

@@ -10,8 +10,10 @@ import functools
 import numpy as np
 
 from .carried_columns import CarriedColumns
+from .host_lock import host_lock
 from .host_words import in_words_of_python
 from .mesh_record import Column, MeshRecord
+from .option_values import taken
 from .plugin import LENGTHS, load_plugin
 from .turned_normals import turned_normals
 
@@ -67,7 +69,8 @@ class MeshDocument:
     _refused = None  # the host writes to the log of the document that was refused last
 
     def __init__(self, records, names, keeps_polygons=True, classes=False, columns=True):
-        self.meshes = _host().MeshSet()
+        with host_lock():
+            self.meshes = _host().MeshSet()
         self._columns = CarriedColumns(records if columns else [])
         self._has_polygons = keeps_polygons and any(record.has_polygons for record in records)
         self._triangulations = []
@@ -78,7 +81,8 @@ class MeshDocument:
                 if classes:
                     face = triangulation.faces_of(np.arange(mesh.face_number()))
                     self._columns.add_classes_to(mesh, number, face)
-            self.meshes.add_mesh(mesh, name)
+            with host_lock():
+                self.meshes.add_mesh(mesh, name)
             self._triangulations.append(triangulation)
 
     @property
@@ -89,20 +93,20 @@ class MeshDocument:
     def run(self, filter_name, own, options):
         """The filter's result map; own are the caller's parameters, options those of its user.
 
-        Raises MeshRefusal, MemoryError, TypeError for options that the filter does not have, and
-        ValueError for values that an option does not have.
+        Raises MeshRefusal, MemoryError, TypeError for options that the filter does not have and
+        for values of another type, and ValueError for values that an option does not have.
         """
         pymeshlab = _host()
-        parameters = {**own, **_as_the_host_takes_them(filter_name, own, options)}
-        try:
-            result = self.meshes.apply_filter(filter_name, **parameters)
-        except pymeshlab.InvalidEnumException as error:
-            raise ValueError(str(error).strip()) from None
-        except pymeshlab.PyMeshLabException as error:
-            MeshDocument._refused = self.meshes
-            _, _, refusal = str(error).partition("Details: ")  # after the host's own opening
-            raise self._refusal(refusal or str(error)) from None
-        return result
+        with host_lock():
+            parameters = {**own, **_as_the_host_takes_them(filter_name, own, options)}
+            try:
+                return self.meshes.apply_filter(filter_name, **parameters)
+            except pymeshlab.InvalidEnumException as error:
+                raise ValueError(str(error).strip()) from None
+            except pymeshlab.PyMeshLabException as error:
+                MeshDocument._refused = self.meshes
+                _, _, refusal = str(error).partition("Details: ")  # after the host's own opening
+                raise self._refusal(refusal or str(error)) from None
 
     def _refusal(self, sentence):
         if "bad_alloc" in sentence or "not enough memory" in sentence:
@@ -225,16 +229,13 @@ def _parameters_of(filter_name):
 
 
 def _as_the_host_takes_them(filter_name, own, options):
-    """The options with lengths and truth values of the host's types."""
+    """The options with values of the host's types."""
     known = {k: v for k, v in _parameters_of(filter_name).items() if k not in own}
     unknown = sorted(options.keys() - known.keys())
     if unknown:
         raise TypeError(f"there is no option {unknown[0]}; there are {', '.join(sorted(known))}")
-    taken = {}
-    for name, value in options.items():
-        if name in LENGTHS:
-            value = _host().PureValue(float(value))
-        elif isinstance(known[name], bool):
-            value = bool(value)
-        taken[name] = value
-    return taken
+    values = {name: taken(name, value, known[name]) for name, value in options.items()}
+    return {
+        name: _host().PureValue(value) if name in LENGTHS else value
+        for name, value in values.items()
+    }

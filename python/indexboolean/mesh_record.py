@@ -66,8 +66,8 @@ def columns_of(items):
 
 def checked_record(vertices, faces, **columns):
     """A MeshRecord of any arrays: vertices are n x 3 numbers; faces are an array of m rows, or a
-    sequence of sequences, of three indices or more. Raises ValueError, with numbers of faces where
-    it is BadFaces.
+    sequence of sequences, of three indices or more; columns have a row for each. Raises ValueError,
+    with numbers of faces where it is BadFaces.
     """
     vertices = np.ascontiguousarray(vertices, dtype=np.float64)
     if vertices.size == 0:
@@ -80,7 +80,23 @@ def checked_record(vertices, faces, **columns):
     else:
         faces = triangles
     _check_indices(len(vertices), faces)
-    return MeshRecord(vertices, faces, **columns)
+    record = MeshRecord(vertices, faces, **columns)
+    check_lengths("vertex", len(vertices), record.of_vertices)
+    check_lengths("face", len(faces), record.of_faces)
+    return record
+
+
+def check_lengths(element, count, columns):
+    """Raises ValueError for a column without a row for each of `count` vertices, or faces."""
+    for name, column in columns.items():
+        given = len(column.values) if column.values.ndim > 0 else 1
+        if column.values.ndim == 0 or given != count:
+            words = name if isinstance(name, str) else " ".join(map(str, name))
+            values = "value" if given == 1 else "values"
+            raise ValueError(
+                f'its {element} data "{words}" have {given} {values}, not {count}, one for each '
+                f"{element}"
+            )
 
 
 def polygons_of_padded(padded):

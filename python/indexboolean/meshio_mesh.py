@@ -10,9 +10,10 @@ import sys
 
 import numpy as np
 
-from .mesh_record import Column, checked_record, columns_of, is_of
+from .mesh_record import Column, check_lengths, checked_record, columns_of, is_of
 
 _FACES = ("triangle", "quad", "polygon")
+_NO_SETS = ("gmsh:bounding_entities",)  # meshio keeps the tags of a block's boundary among the sets
 HAS_POLYGONS = True
 
 
@@ -29,7 +30,9 @@ def read_all(meshes):
 def write(record, operands):
     """A Mesh with a block of triangles, one of quads, and one of polygons of each other size."""
     sizes, blocks, faces = [3], [slice(None)], [record.faces]
-    if record.has_polygons:
+    if record.has_polygons and not record.faces:
+        faces = [np.empty((0, 3), dtype=int)]  # meshio writes no mesh without a block
+    elif record.has_polygons:
         counts = np.array([len(face) for face in record.faces])
         sizes = np.unique(counts)
         blocks = [np.flatnonzero(counts == size) for size in sizes]
@@ -69,15 +72,35 @@ def _read(mesh):
         faces = [face for data in faces for face in data]
     of_vertices = columns_of(mesh.point_data.items())
     of_faces = {
-        name: Column(np.concatenate([np.asarray(data[number]) for number in kept]))
+        name: Column(np.concatenate(_of_blocks(mesh, kept, name, data)))
         for name, data in mesh.cell_data.items() if kept
     }
     for name, members in mesh.point_sets.items():
-        of_vertices["set", name] = Column(_flags(len(mesh.points), members))
+        of_vertices["set", name] = Column(_flags(len(mesh.points), members, name))
     for name, members in mesh.cell_sets.items():
-        flags = [_flags(len(mesh.cells[number].data), members[number]) for number in kept]
+        if name in _NO_SETS:
+            continue
+        _check_blocks(mesh, "cell set", name, members)
+        flags = [_flags(len(mesh.cells[number].data), members[number], name) for number in kept]
         of_faces["set", name] = Column(np.concatenate(flags or [np.zeros(0, dtype=bool)]))
     return checked_record(mesh.points, faces, of_vertices=of_vertices, of_faces=of_faces)
+
+
+def _of_blocks(mesh, kept, name, data):
+    """The values of those blocks, as arrays, each with a row for each of its cells."""
+    _check_blocks(mesh, "cell data", name, data)
+    values = [np.asarray(data[number]) for number in kept]
+    for number, of_block in zip(kept, values):
+        check_lengths("cell", len(mesh.cells[number].data), {f"{name}, {number}": Column(of_block)})
+    return values
+
+
+def _check_blocks(mesh, kind, name, data):
+    if len(data) != len(mesh.cells):
+        raise ValueError(
+            f'its {kind} "{name}" has {len(data)} blocks, not {len(mesh.cells)}, one for each '
+            "block of cells"
+        )
 
 
 def _is_surface(block):
@@ -94,8 +117,12 @@ def _is_surface(block):
     raise ValueError(f"it has cells of type {block.type}, {len(block.data)} of them. {remedy}")
 
 
-def _flags(count, members):
+def _flags(count, members, name):
+    """Whether each of `count` points, or cells, is in the set of that name."""
     flags = np.zeros(count, dtype=bool)
-    if members is not None:
-        flags[np.asarray(members, dtype=int)] = True
+    members = np.asarray([] if members is None else members, dtype=int)
+    beyond = members[(members < 0) | (members >= count)]
+    if len(beyond) > 0:
+        raise ValueError(f'its set "{name}" names number {beyond[0]}, of which there are {count}')
+    flags[members] = True
     return flags

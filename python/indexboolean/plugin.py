@@ -7,6 +7,8 @@ import os
 import pathlib
 import sys
 
+from .host_lock import host_lock
+
 # The host loads plugins that were built for its own version and scalar only.
 _HOST_VERSION = "2025.7"
 _FILTERS = (
@@ -33,14 +35,15 @@ def load_plugin():
 
     Raises HostError with a sentence that says what to install.
     """
-    pymeshlab = _import_host()
-    if not set(_FILTERS) <= set(pymeshlab.filter_list()):
-        if sys.platform == "darwin":
-            _require_one_folder(pymeshlab)
-        pymeshlab.load_plugin(plugin_path())
-    for name in _FILTERS:
-        if not hasattr(pymeshlab.MeshSet, name):
-            setattr(pymeshlab.MeshSet, name, pymeshlab.bind_function(name))
+    with host_lock():
+        pymeshlab = _import_host()
+        if not set(_FILTERS) <= set(pymeshlab.filter_list()):
+            if sys.platform == "darwin":
+                _require_one_folder(pymeshlab)
+            pymeshlab.load_plugin(plugin_path())
+        for name in _FILTERS:
+            if not hasattr(pymeshlab.MeshSet, name):
+                setattr(pymeshlab.MeshSet, name, pymeshlab.bind_function(name))
 
 
 def _require_one_folder(pymeshlab):

@@ -32,10 +32,12 @@ def write(record, operands):
     """A PolyData with points in double precision. operands are the meshes that were read."""
     pyvista, first = sys.modules["pyvista"], operands[0]
     mesh = pyvista.PolyData(np.ascontiguousarray(record.vertices), faces=_padded(record))
-    for name, column in record.of_vertices.items():
-        mesh.point_data.set_array(column.values, name)
-    for name, column in record.of_faces.items():
-        mesh.cell_data.set_array(column.values, name)
+    for data, columns in (
+        (mesh.point_data, record.of_vertices), (mesh.cell_data, record.of_faces)
+    ):
+        for name, column in columns.items():
+            if column.values.size > 0 or column.values.ndim == 1:  # pyvista takes no 0 x 3 array
+                data.set_array(column.values, name)
     for name, values in first.field_data.items():
         mesh.field_data.set_array(values, name)
     normals = first.cell_data.active_normals_name

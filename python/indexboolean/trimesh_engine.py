@@ -34,6 +34,8 @@ def _engine(meshes, operation, check_volume=True, **options):
     what is accepted (docs/boolean.md), not by is_volume.
     """
     meshes = list(meshes)
+    if not meshes:
+        raise ValueError(f"there is no mesh; {operation} takes a list of one or more")
     if operation == "difference" and len(meshes) < 2:
         raise ValueError("a difference is of two meshes or more")
     if len(meshes) == 1:

@@ -148,9 +148,8 @@ def test_readmeShowsAnExtractOfTheBenchmark():
 
 
 def run_program(code, folder):
-    """What a program of a page prints, in a folder as the page asks for."""
+    """What a program of a page prints, in a fresh folder beside the sample meshes."""
     (folder / "sample_meshes").symlink_to(SAMPLES)
-    (folder / "out").mkdir()
     done = subprocess.run(
         [sys.executable, "-c", code], cwd=folder, capture_output=True, text=True, timeout=120
     )
@@ -163,7 +162,7 @@ def test_readmeExampleRuns(tmp_path):
     volume, residual = run_program(code, tmp_path).split()[-2:]
     assert float(volume) == pytest.approx(3.151693102184, rel=1e-11)
     assert float(residual) < 1e-12
-    assert (tmp_path / "out" / "difference.ply").stat().st_size > 0
+    assert (tmp_path / "difference.ply").stat().st_size > 0
 
 
 def recipes():
@@ -177,6 +176,7 @@ def recipes():
 
 @pytest.mark.parametrize("code, printed", list(recipes()))
 def test_recipesPrintWhatTheySay(code, printed, tmp_path):
+    (tmp_path / "out").mkdir()
     assert run_program(code, tmp_path) == printed
 
 
@@ -194,7 +194,8 @@ def programs_with_output(*pages):
     "libraries.md", "from_trimesh.md", "from_pyvista.md", "from_meshio.md"
 )))
 def test_programsOnTheLibrariesPagesPrintWhatTheySay(code, printed, tmp_path):
-    assert run_program(code, tmp_path) == printed
+    without_scipy = "import sys; sys.modules['scipy'] = None\n"  # which nothing here depends on
+    assert run_program(without_scipy + code, tmp_path) == printed
 
 
 def commands():

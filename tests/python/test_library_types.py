@@ -86,6 +86,72 @@ def test_aTrimeshWithoutTextureBesideOneThatHasOne():
     assert result.visual.kind == "texture" and result.visual.material is cube.visual.material
 
 
+LOOKS = {
+    "vertex_colors": "vertex", "face_colors": "face", "image": "texture", "PBR image": "texture",
+    "PBR colour": "texture", "colour": "texture", "no coordinates": None, "none": None,
+}
+
+
+def with_look(mesh, look, colour):
+    material = trimesh.visual.material
+    image = Image.new("RGB", (8, 8), colour)
+    materials = {
+        "image": lambda: material.SimpleMaterial(image=image),
+        "PBR image": lambda: material.PBRMaterial(baseColorTexture=image, metallicFactor=0.5),
+        "PBR colour": lambda: material.PBRMaterial(baseColorFactor=(*colour, 255)),
+        "colour": lambda: material.SimpleMaterial(diffuse=colour),
+        "no coordinates": lambda: material.SimpleMaterial(diffuse=colour),
+    }
+    if look in materials:
+        uv = None if look == "no coordinates" else plain(mesh.vertices)
+        mesh.visual = trimesh.visual.TextureVisuals(uv=uv, material=materials[look]())
+    elif look != "none":
+        setattr(mesh.visual, look, (*colour, 255))
+    return mesh
+
+
+def drawn_colours(mesh):
+    """Of vertices, or of faces where these have them."""
+    if mesh.visual.kind != "texture":
+        return getattr(mesh.visual, f"{mesh.visual.kind}_colors")
+    material = mesh.visual.material
+    if getattr(material, "image", None) or getattr(material, "baseColorTexture", None):
+        return mesh.visual.to_color().vertex_colors
+    return np.tile(material.main_color, (len(mesh.vertices), 1))
+
+
+@pytest.mark.parametrize("second", LOOKS)
+@pytest.mark.parametrize("first", LOOKS)
+def test_twoTrimeshesOfAnyLooksHaveThatOfTheFirstThatHasOne(first, second):
+    given = [
+        with_look(mesh, look, colour) for mesh, look, colour in zip(
+            trimeshes(), (first, second), ((255, 0, 0), (0, 255, 0))
+        )
+    ]
+    before = [getattr(mesh.visual, "material", None) for mesh in given]
+    result = indexboolean.boolean(*given, sources=True)
+    kind = LOOKS[first] or LOOKS[second]
+    assert result.visual.kind == kind
+    assert before == [getattr(mesh.visual, "material", None) for mesh in given]
+    if kind is None:
+        return
+    attributes = result.face_attributes if kind == "face" else result.vertex_attributes
+    colours, source = drawn_colours(result), attributes["source_mesh"]
+    for number, look in enumerate((first, second)):
+        if LOOKS[look] == kind or LOOKS[look] and kind != "texture":
+            own = colours[source == number]
+            assert np.all(own == ((255, 0, 0, 255), (0, 255, 0, 255))[number]), number
+
+
+def test_anImageBesideAPbrMaterialKeepsItsColours():
+    ball, cube = trimeshes()
+    with_look(ball, "PBR colour", (255, 0, 0))
+    with_look(cube, "image", (40, 80, 160))
+    result = indexboolean.boolean(ball, cube, sources=True)
+    of_cube = result.vertex_attributes["source_mesh"] == 1
+    assert np.all(drawn_colours(result)[of_cube] == (40, 80, 160, 255))
+
+
 def test_trimeshUnitsAreKeptIfTheyAgree():
     ball, cube = trimeshes()
     ball.units = cube.units = "mm"
@@ -144,6 +210,53 @@ def test_trimeshWithoutATableOfEnginesIsToldSo(monkeypatch):
     monkeypatch.delattr(trimesh.boolean, "_engines")
     with pytest.raises(ImportError, match="has no table of engines"):
         indexboolean.register_trimesh_engine()
+
+
+@pytest.mark.parametrize("subdivisions", [3, 4])
+@pytest.mark.parametrize("name", ["union", "intersection", "difference", "second_minus_first"])
+def test_inFloatsTrimeshsMergingOpensNoResult(name, subdivisions, tmp_path):
+    ball = trimesh.creation.icosphere(subdivisions=subdivisions)
+    bar = trimesh.creation.box((1, 1, 3))
+    for options, is_closed in (({}, False), ({"certify_as": "float"}, True)):
+        result = indexboolean.boolean(ball, bar, name, **options)
+        shortest = np.ptp(result.vertices[result.edges_unique], axis=1).max(axis=1).min()
+        assert result.is_watertight and (shortest > 1e-7) == is_closed
+        merged = result.copy()
+        merged.merge_vertices()
+        assert merged.is_watertight == is_closed
+        for suffix in ("stl", "ply", "glb"):
+            result.export(tmp_path / f"a.{suffix}")
+            loaded = trimesh.load_mesh(tmp_path / f"a.{suffix}")
+            assert loaded.is_watertight or not is_closed, suffix
+
+
+def test_mergedWallsTakeShortEdgesAway():
+    ball, bar = trimesh.creation.icosphere(subdivisions=4), trimesh.creation.box((1, 1, 3))
+    result = indexboolean.boolean(ball, bar, merge_tolerance=1e-6)
+    result.merge_vertices()
+    assert result.is_watertight
+
+
+def test_aSeamOfATrimeshIsClosedOnceItIsMerged():
+    ball, cube = trimeshes()
+    cube.unmerge_vertices()
+    uv = np.random.default_rng(1).random((36, 2))
+    cube.visual = trimesh.visual.TextureVisuals(uv=uv)
+    result = indexboolean.boolean(ball, cube, certify_as="float")
+    assert not result.is_watertight
+    result.merge_vertices(merge_tex=True)
+    assert result.is_watertight
+    assert indexboolean.boolean(ball, cube, transfer_attributes=False).is_watertight
+
+
+def test_aSeamOfAPolyDataIsClosedOnceItIsCleaned():
+    cube, pipe = pyvista.Cube(), pyvista.Cylinder(radius=0.2, height=3)
+    result = indexboolean.boolean(cube, pipe)
+    assert not result.is_manifold and result.clean().is_manifold
+    assert indexboolean.boolean(cube, pipe, transfer_attributes=False).is_manifold
+    for mesh in (cube, pipe):
+        mesh.point_data.clear()
+    assert indexboolean.boolean(cube, pipe).is_manifold
 
 
 def polydata(mesh):
@@ -243,10 +356,33 @@ def test_pyvistaStripsAreRefusedWithARemedyThatHelps():
     assert result.volume == pytest.approx(volume(*indexboolean.boolean(BALL, BOX)), rel=1e-6)
 
 
-def test_pyvistasEmptyResultIsAnEmptyMesh():
-    far = polydata(BALL).translate((9, 9, 9))
-    result = indexboolean.boolean(polydata(BALL), far, "intersection")
-    assert isinstance(result, pyvista.PolyData) and result.n_cells == 0
+@pytest.mark.parametrize("make", [pyvista.Sphere, pyvista.Cube], ids=["normals", "seams"])
+def test_pyvistasEmptyResultIsAnEmptyMesh(make):
+    mesh = make()
+    mesh.point_data["vector"] = np.asarray(mesh.points)
+    mesh.cell_data["colour"] = np.zeros((mesh.n_cells, 3), dtype=np.uint8)
+    mesh.cell_data["zone"] = np.arange(mesh.n_cells)
+    mesh.set_active_vectors("vector")
+    far = mesh.translate((9, 9, 9))
+    both = indexboolean.boolean(mesh, far, ("intersection", "union"), sources=True)
+    assert both["union"].n_cells > both["intersection"].n_cells == 0
+    statements = indexboolean.evaluate("a & b; a - a", {"a": mesh, "b": far})
+    for result in (both["intersection"], *statements.values()):
+        assert isinstance(result, pyvista.PolyData) and result.n_points == result.n_cells == 0
+        assert result.cell_data["zone"].dtype == mesh.cell_data["zone"].dtype
+        result.copy().clean()
+
+
+@pytest.mark.parametrize("kind", ["vertex_colors", "face_colors", "texture"])
+def test_trimeshsEmptyResultIsAnEmptyMesh(kind):
+    ball, cube = trimeshes()
+    if kind == "texture":
+        textured(ball, (255, 0, 0))
+    else:
+        setattr(ball.visual, kind, [10, 20, 30, 255])
+    cube.apply_translation((9, 9, 9))
+    result = indexboolean.boolean(ball, cube, "intersection").copy()
+    assert isinstance(result, trimesh.Trimesh) and result.is_empty
 
 
 @pytest.mark.parametrize("make, remedy", [
@@ -259,6 +395,44 @@ def test_whatIsNoMeshIsToldHowToBecomeOne(make, remedy):
     with pytest.raises(TypeError, match=r"extract_surface\(\)|to_mesh\(\)"):
         indexboolean.boolean(mesh, BALL)
     indexboolean.boolean(remedy(mesh), BALL)
+
+
+def meshio_with(kind, name, values):
+    mesh = meshio_of(BOX, **{kind: {}})
+    getattr(mesh, kind)[name] = values  # as meshio's constructor checks them
+    return mesh
+
+
+def trimesh_with(kind, values):
+    mesh = trimesh.Trimesh(*BOX, process=False)
+    if kind == "uv":
+        mesh.visual = trimesh.visual.TextureVisuals(uv=values)
+    else:
+        getattr(mesh, kind)["q"] = values
+    return mesh
+
+
+VERTEX_DATA = 'vertex data "q" have 9 values, not 8, one for each vertex'
+FACE_DATA = 'face data "q" have 1 value, not 12, one for each face'
+
+
+@pytest.mark.parametrize("make, sentence", [
+    (lambda: trimesh_with("vertex_attributes", np.zeros(9)), VERTEX_DATA),
+    (lambda: trimesh_with("face_attributes", np.zeros((1, 3))), FACE_DATA),
+    (lambda: trimesh_with("face_attributes", 3), FACE_DATA),
+    (lambda: trimesh_with("uv", np.zeros((7, 2))), 'vertex data "visual uv" have 7 values, not 8'),
+    (lambda: meshio_with("point_data", "q", np.zeros(9)), VERTEX_DATA),
+    (lambda: meshio_with("cell_data", "q", [np.zeros(9)]), '"q, 0" have 9 values, not 12, one'),
+    (lambda: meshio_with("cell_data", "q", []), 'cell data "q" has 0 blocks, not 1'),
+    (lambda: meshio_with("point_sets", "q", [2, 8]), '"q" names number 8, of which there are 8'),
+    (lambda: meshio_with("point_sets", "q", [-1]), 'set "q" names number -1'),
+    (lambda: meshio_with("cell_sets", "q", [[12]]), '"q" names number 12, of which there are 12'),
+    (lambda: meshio_with("cell_sets", "q", []), 'cell set "q" has 0 blocks, not 1'),
+])
+def test_dataOfAnotherLengthAreRefused(make, sentence):
+    with pytest.raises(indexboolean.MeshRefusal, match=sentence) as refusal:
+        indexboolean.boolean(BALL, make())
+    assert refusal.value.operand == 1 and 'Mesh "second" cannot be used: its ' in str(refusal.value)
 
 
 def meshio_of(mesh, **more):
@@ -294,6 +468,23 @@ def test_meshioSetsAndFieldDataAreKept():
     assert set(result.field_data) == {"inlet", "outlet"}
 
 
+@pytest.mark.parametrize("kind", ["triangle", "quad"])
+def test_meshiosEmptyResultCanBeWritten(kind, tmp_path):
+    points, faces = BOX
+    if kind == "quad":
+        faces = np.array(
+            [(0, 2, 3, 1), (4, 5, 7, 6), (0, 1, 5, 4), (2, 6, 7, 3), (0, 4, 6, 2), (1, 3, 7, 5)]
+        )
+    cube = meshio.Mesh(
+        points, [(kind, faces)], point_data={"q": points}, cell_sets={"all": [np.arange(6)]},
+        cell_data={"zone": [np.arange(len(faces))]},
+    )
+    result = indexboolean.boolean(cube, cube, "difference")
+    assert [(block.type, block.data.shape) for block in result.cells] == [("triangle", (0, 3))]
+    result.write(tmp_path / "empty.vtu")
+    assert (tmp_path / "empty.vtu").stat().st_size > 0
+
+
 @pytest.mark.parametrize("cells, sentence", [
     (("tetra", [[0, 1, 2, 4]]), "cells of type tetra, 1 of them. Take its boundary"),
     (("triangle6", [[0, 1, 2, 3, 4, 5]]), "type triangle6, 1 of them. Leave out the nodes"),
@@ -318,6 +509,12 @@ def test_theMeshioRemediesHelp():
     second_order = np.concatenate([BOX[1], BOX[1]], axis=1)
     linear = meshio.Mesh(BOX[0], [("triangle", second_order[:, :3])])
     assert volume(*Meshio.arrays(indexboolean.resolve(linear))) == pytest.approx(3, rel=1e-15)
+
+
+def test_whatMeshioKeepsAmongTheSetsButIsNoneIsLeftOut():
+    entities = {"gmsh:bounding_entities": [np.array([-3, 7, 99])]}
+    result = indexboolean.boolean(meshio_of(BOX, cell_sets=entities), meshio_of(BALL))
+    assert result.cell_sets == {}
 
 
 def test_meshioFilesComeBackFromDisk(tmp_path):

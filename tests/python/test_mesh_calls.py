@@ -13,12 +13,13 @@ import warnings
 import numpy as np
 import pymeshlab
 import pytest
+import trimesh
 
 import indexboolean
 import refusal_cases
 from conftest import box, crossing_bars, joined, sphere
 from indexboolean.host_words import in_words_of_python
-from library_meshes import ALL, CARRYING, Arrays, PyVista, Trimesh, volume
+from library_meshes import ALL, CARRYING, Arrays, Meshio, PyVista, Trimesh, volume
 from plain_solids import halved
 from refusals_of_filters import ALL as CASES
 
@@ -136,6 +137,20 @@ def test_newVerticesHaveTheMeanOfTheFaceThatTheyLieIn(library):
     # The curve takes the values of the first mesh: a colour lies between those of a face's corners.
     colours = library.data(made(library, SPHERE, 1))[0]["colour"]
     assert np.all(of_vertices["colour"][is_new] <= colours.max(axis=0))
+
+
+@pytest.mark.parametrize("library", CARRYING)
+@pytest.mark.parametrize("kind", [np.int64, np.uint64, np.int8])
+@pytest.mark.parametrize("limit", ["min", "max"])
+def test_theLimitsOfIntegersStayThemselvesWithoutAWarning(library, kind, limit):
+    value = getattr(np.iinfo(kind), limit)
+    first, second = (
+        library.make(*mesh, {"limit": np.full(len(mesh[0]), value)}, {}) for mesh in (SPHERE, BOX)
+    )
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        values = library.data(indexboolean.boolean(first, second))[0]["limit"]
+    assert np.all(values == value)
 
 
 @pytest.mark.parametrize("library", CARRYING)
@@ -260,6 +275,37 @@ def test_evaluateTakesNamesAndGivesAResultForEachStatement(library):
     assert type(indexboolean.evaluate("a | b", {"a": a, "b": b})) is library.type
 
 
+@pytest.mark.parametrize("text, name", [
+    ("result_1 = a - b; a & b", "result_1"), ("a - b; result_0 = a & b", "result_0"),
+    ("a - b; b - a; result_2 = a; result_1 = b", "result_1"),
+])
+def test_aNameThatAnUnnamedStatementWouldHaveIsRefused(text, name):
+    with pytest.raises(indexboolean.MeshRefusal, match=f'would be "{name}".* Give it a name'):
+        indexboolean.evaluate(text, {"a": SPHERE, "b": BOX})
+
+
+def test_aStatementMayHaveTheNameThatItWouldHave():
+    made_of = indexboolean.evaluate("result_0 = a - b; result_0 | b", {"a": SPHERE, "b": BOX})
+    assert list(made_of) == ["result_0", "result_1"]
+
+
+@pytest.mark.parametrize("call, options", [
+    (indexboolean.boolean, ("curves", "select_curve_vertices")),
+    (lambda a, b, **options: indexboolean.evaluate("a - b", {"a": a, "b": b}, **options),
+     ("curves", "select_curve_vertices", "hide_operands")),
+    (lambda a, b, **options: indexboolean.resolve(a, **options), ("select_curve_vertices",)),
+    (indexboolean.split, (
+        "sub_surfaces_first", "sub_surfaces_second", "first_inside_second", "second_outside_first",
+        "separate_layers", "max_layers", "layers", "transfer_attributes",
+    )),
+    (indexboolean.distance, ("color", "sources", "transfer_attributes")),
+])
+def test_whatWouldHaveNoEffectIsNoOption(call, options):
+    for option in options:
+        with pytest.raises(TypeError, match=f"there is no option {option};"):
+            call(SPHERE, BOX, **{option: False})
+
+
 def test_dataFollowTheOrderInWhichTheTextNamesMeshes():
     a, b = operands(Trimesh)
     result = indexboolean.evaluate("b - a", {"a": a, "b": b}, sources=True)
@@ -271,6 +317,26 @@ def test_dataFollowTheOrderInWhichTheTextNamesMeshes():
     of_b = result.face_attributes["source_mesh"] == 1
     numbers, sources = (result.face_attributes[name][of_b] for name in ("number", "source_face"))
     assert np.array_equal(numbers, sources)
+
+
+@pytest.mark.parametrize("library", ALL)
+@pytest.mark.parametrize("has_polygons", [False, True])
+def test_anEmptyResultIsAnEmptyMesh(library, has_polygons):
+    first, far = (
+        made(library, mesh, 1) for mesh in (
+            (cube_of_quads((0, 0, 0), (1, 1, 1)), cube_of_quads((9, 9, 9), (10, 10, 10)))
+            if has_polygons and library.has_polygons else (SPHERE, sphere((9, 9, 9)))
+        )
+    )
+    for options in ({}, {"sources": True}):
+        results = [
+            indexboolean.boolean(first, far, "intersection", **options),
+            *indexboolean.boolean(first, first, ("difference", "xor"), **options).values(),
+            *indexboolean.evaluate("a & b; a - a", {"a": first, "b": far}, **options).values(),
+        ]
+        for result in results:
+            points, faces = library.arrays(result)
+            assert type(result) is library.type and len(points) == len(faces) == 0
 
 
 @pytest.mark.parametrize("library", ALL)
@@ -415,6 +481,28 @@ def test_verticesThatAreNoneAreRefused(vertices):
         indexboolean.boolean((vertices, BOX[1]), SPHERE)
 
 
+@pytest.mark.parametrize("empty", [
+    ([], []), (np.empty((0, 3)), np.empty((0, 3), dtype=int)), Trimesh.type(), PyVista.type(),
+    Meshio.type(np.empty((0, 3)), []),
+])
+def test_aMeshWithoutVerticesIsRefused(empty):
+    calls = {
+        "first": lambda: indexboolean.boolean(empty, BOX),
+        "second": lambda: indexboolean.boolean(BOX, empty),
+        "b": lambda: indexboolean.evaluate("a - b", {"a": BOX, "b": empty}),
+        "mesh": lambda: indexboolean.resolve(empty),
+        "mesh 1": lambda: indexboolean.split(BOX, empty),
+    }
+    for name, call in calls.items():
+        with pytest.raises(indexboolean.MeshRefusal, match="is empty: it has no faces") as refusal:
+            call()
+        assert f'Mesh "{name}"' in refusal.value.sentence
+        assert refusal.value.operand == (name in ("second", "b", "mesh 1"))
+    for meshes in ((empty, BOX), (BOX, empty)):
+        with pytest.raises(indexboolean.MeshRefusal, match="is empty: it has no faces"):
+            indexboolean.distance(*meshes)
+
+
 def test_coordinatesThatAreNotFiniteAreRefused():
     points = BOX[0].copy()
     points[3, 1] = np.nan
@@ -423,8 +511,17 @@ def test_coordinatesThatAreNotFiniteAreRefused():
     assert np.array_equal(refusal.value.faces, np.flatnonzero(np.any(BOX[1] == 3, axis=1)))
 
 
+MESH = Trimesh.type(*BOX)
+LISTS = [(points.tolist(), faces.tolist()) for points, faces in (SPHERE, BOX)]
+
+
+def trimesh_union(meshes):
+    indexboolean.register_trimesh_engine()
+    return trimesh.boolean.union(meshes, engine="indexboolean")
+
+
 @pytest.mark.parametrize("call, error, sentence", [
-    (lambda: indexboolean.boolean(SPHERE, 3), TypeError, 'mesh "second" is a builtins.int'),
+    (lambda: indexboolean.boolean(SPHERE, 3), TypeError, 'mesh "second" is of type int; known'),
     (lambda: indexboolean.boolean(SPHERE, BOX, "plus"), ValueError, "no operation 'plus'"),
     (lambda: indexboolean.boolean(SPHERE, BOX, winding_role="odd"), TypeError,
      "no option winding_role; there are .*winding_rule"),
@@ -437,6 +534,27 @@ def test_coordinatesThatAreNotFiniteAreRefused():
      "is the name of a mesh"),
     (lambda: indexboolean.evaluate("a", {"union": BOX}), ValueError, "cannot be a mesh's name"),
     (lambda: indexboolean.split(), TypeError, "there is no mesh"),
+    (lambda: indexboolean.boolean(SPHERE, BOX, BOX), TypeError, "operation is a name such"),
+    (lambda: indexboolean.boolean(SPHERE, BOX, MESH), TypeError, "evaluate.* is of more"),
+    (lambda: indexboolean.boolean(SPHERE, BOX, None), TypeError, "and not of type NoneType; evalu"),
+    (lambda: indexboolean.boolean(SPHERE, BOX, ()), ValueError, "no operation is asked for; there"),
+    (lambda: indexboolean.boolean([MESH, MESH], BOX), TypeError, '"first" is a list of meshes'),
+    (lambda: indexboolean.split([MESH, MESH]), TypeError, r"one by one, as in split\(a, b\)"),
+    (lambda: indexboolean.split([SPHERE, BOX, BOX]), TypeError, '"mesh 0" is a list of meshes'),
+    (lambda: indexboolean.split(LISTS), TypeError, '"mesh 0" is a list of meshes'),
+    (lambda: indexboolean.evaluate("a - b", [SPHERE, BOX]), TypeError, 'such as {"a": a, "b": b}'),
+    (lambda: indexboolean.evaluate("a", {1: BOX}), TypeError, "a name of a mesh is a text"),
+    (lambda: indexboolean.evaluate(BOX, {"a": BOX}), TypeError, "expression is a text such as"),
+    (lambda: indexboolean.boolean(SPHERE, BOX, merge_tolerance=None), TypeError,
+     "merge_tolerance is a number, not None"),
+    (lambda: indexboolean.boolean(SPHERE, BOX, weld_distance="1"), TypeError, "a number, not '1'"),
+    (lambda: indexboolean.boolean(SPHERE, BOX, octree_max_depth="7"), TypeError,
+     "octree_max_depth is a whole number, not '7'"),
+    (lambda: indexboolean.boolean(SPHERE, BOX, winding_rule=None), TypeError, "is a word such as"),
+    (lambda: indexboolean.boolean(SPHERE, BOX, merge_coplanar="no"), TypeError, "True or False"),
+    (lambda: indexboolean.resolve(SPHERE, outer_hull="no"), TypeError, "outer_hull is True"),
+    (lambda: indexboolean.boolean(SPHERE, BOX, transfer_attributes=None), TypeError, "or False"),
+    (lambda: trimesh_union([]), ValueError, "there is no mesh; union takes a list of one or more"),
 ])
 def test_mistakesAreToldApart(call, error, sentence):
     with pytest.raises(error, match=sentence):
