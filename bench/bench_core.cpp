@@ -578,6 +578,21 @@ void addOperandOptions(CLI::App& app, CommandLine& out) {
 	}
 }
 
+// What the core is to do besides.
+void addCoreOptions(CLI::App& app, CommandLine& out) {
+	app.add_flag("--certify", out.certify,
+	             "Certifies what is delivered, as hosts do; off, so that commits compare");
+	app.add_flag("--attributes", out.attributes,
+	             "Times also where all attributes of the blocks' elements come from");
+	app.add_flag("--check-self-intersections", out.checkSelfIntersections,
+	             "Times also the search of both operands for faces that meet wrongly");
+	app.add_flag("--resolve", out.resolve,
+	             "Searches both operands, and resolves what meets itself, as hosts do");
+	app.add_option("--merge-tolerance", out.mergeTolerance,
+	               "A length: merges walls that lie within it of one plane")
+	    ->check(CLI::NonNegativeNumber);
+}
+
 // Exits with 2 on a usage error, with 0 after --help.
 CommandLine parse(int argc, char** argv) {
 	CommandLine out;
@@ -604,17 +619,7 @@ CommandLine parse(int argc, char** argv) {
 	    ->transform(CLI::CheckedTransformer(operations).description(""));
 	app.add_flag("--sizes", out.sizes, "Prints how large the operands are, and times nothing");
 	app.add_flag("--one-operation", out.oneOperation, "Times that operation, not the four blocks");
-	app.add_flag("--certify", out.certify,
-	             "Certifies what is delivered, as hosts do; off, so that commits compare");
-	app.add_flag("--attributes", out.attributes,
-	             "Times also where all attributes of the blocks' elements come from");
-	app.add_flag("--check-self-intersections", out.checkSelfIntersections,
-	             "Times also the search of both operands for faces that meet wrongly");
-	app.add_flag("--resolve", out.resolve,
-	             "Searches both operands, and resolves what meets itself, as hosts do");
-	app.add_option("--merge-tolerance", out.mergeTolerance,
-	               "A length: merges walls that lie within it of one plane")
-	    ->check(CLI::NonNegativeNumber);
+	addCoreOptions(app, out);
 	app.add_option("--threads", out.threads, "0: as many as there are")
 	    ->check(CLI::NonNegativeNumber);
 	app.add_option("--runs", out.runs, "Timed runs, of which the median is taken")
