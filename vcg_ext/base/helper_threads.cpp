@@ -153,19 +153,16 @@ void Helpers::helpForever() {
 	}
 }
 
-// Ends the threads, each when it has done what it is at. What is called for later gets none.
+// Ends the threads, each when it has done what it is at; none is started after that. What is called
+// for later gets no help.
 void Helpers::end() {
-	std::vector<std::thread> threads;
 	{
 		const std::unique_lock<std::mutex> lock = lockBriefly(mutex_);
 		hasEnded_ = true;
-		threads.swap(threads_);
 	}
 	called_.notify_all();
-	for (std::thread& thread : threads) {
-		if (thread.get_id() == std::this_thread::get_id()) {
-			thread.detach();  // its own fault has made it end the process
-		} else {
+	for (std::thread& thread : threads_) {
+		if (thread.get_id() != std::this_thread::get_id()) {  // whose own fault ends the process
 			thread.join();
 		}
 	}
@@ -186,12 +183,15 @@ Helpers* helpersOfProcess() {
 	if (found != nullptr && found->process == currentProcess()) {
 		return &found->helpers;
 	}
-	std::unique_ptr<HelpersOfProcess> made(new (std::nothrow) HelpersOfProcess);
-	if (made == nullptr ||
-	    current.compare_exchange_strong(found, made.get(), std::memory_order_acq_rel)) {
-		found = made.release();
+	try {
+		auto made = std::make_unique<HelpersOfProcess>();
+		if (current.compare_exchange_strong(found, made.get(), std::memory_order_acq_rel)) {
+			found = made.release();
+		}
+		return &found->helpers;  // another thread's, if that was first
+	} catch (const std::bad_alloc&) {
+		return nullptr;
 	}
-	return found == nullptr ? nullptr : &found->helpers;  // another thread's, if that was first
 }
 
 #ifndef _WIN32
