@@ -29,7 +29,8 @@ HOST_LIBRARIES = (
 SYSTEM_LIBRARIES = ("/usr/lib/libc++.1.dylib", "/usr/lib/libSystem.B.dylib")
 # What macOS 11 has as well, but pymeshlab happens not to import: names of C99 and of C++17. Wheels
 # for macOS 11 of numpy, libigl, manifold3d, vtk or duckdb import them, but for a string's copy,
-# C99's lround and its default environment, which are as old as these libraries.
+# C99's lround and its default environment, which are as old as these libraries. pymeshlab for arm64
+# imports the thread's mask of signals, that for x86_64 does not.
 MORE_OF_SYSTEM = {
     "/usr/lib/libc++.1.dylib": (
         "__ZNSt11logic_errorC1EPKc", "__ZNSt11logic_errorD1Ev", "__ZNSt11range_errorD1Ev",
@@ -45,7 +46,7 @@ MORE_OF_SYSTEM = {
     ),
     "/usr/lib/libSystem.B.dylib": (
         "__FE_DFL_ENV", "___udivti3", "___umodti3", "_ceilf", "_fegetenv", "_fesetenv", "_floor",
-        "_ilogb", "_lround", "_nextafterf", "_scalbn",
+        "_ilogb", "_lround", "_nextafterf", "_pthread_sigmask", "_scalbn",
     ),
 }
 # Of no system: Boost, Eigen, OpenGL's and Qt's headers.
