@@ -23,6 +23,12 @@ namespace index_boolean {
 
 namespace {
 
+#ifdef _WIN32
+constexpr bool kCanThreadsEndAtUnload = false;
+#else
+constexpr bool kCanThreadsEndAtUnload = true;
+#endif
+
 struct Work {
 	void* context;
 	void (*help)(void*);
@@ -194,18 +200,16 @@ Helpers* helpersOfProcess() {
 	}
 }
 
-#ifndef _WIN32
 // Before the code that the threads run is unloaded. (On Windows no thread can end while a library
 // is unloaded; when a process ends, it has none left by then.)
 struct AtUnload {
 	~AtUnload() {
 		HelpersOfProcess* const found = current.load(std::memory_order_acquire);
-		if (found != nullptr && found->process == currentProcess()) {
+		if (kCanThreadsEndAtUnload && found != nullptr && found->process == currentProcess()) {
 			found->helpers.end();
 		}
 	}
 } atUnload;
-#endif
 
 }  // namespace
 
