@@ -66,6 +66,20 @@ std::unique_lock<std::mutex> lockBriefly(std::mutex& mutex) {
 	return std::unique_lock<std::mutex>(mutex);
 }
 
+// Sleeps until it is notified and the condition holds. (What GCC 12 makes of wait() needs a newer C++
+// library than hosts do; with a limit it is the system's own.)
+template <class Condition>
+void sleepUntil(std::condition_variable& notified, std::unique_lock<std::mutex>& lock,
+                Condition&& condition) {
+	while (!condition()) {
+#ifdef __GLIBCXX__
+		notified.wait_for(lock, std::chrono::hours(1));
+#else
+		notified.wait(lock);
+#endif
+	}
+}
+
 class Helpers {
 public:
 	void call(Work& work);
@@ -133,7 +147,7 @@ void Helpers::close(Work& work) {
 		comesSoon([&work] { return work.inside == 0; });
 		lock = lockBriefly(mutex_);
 	}
-	work.left.wait(lock, [&work] { return work.inside == 0; });
+	sleepUntil(work.left, lock, [&work] { return work.inside == 0; });
 }
 
 void Helpers::helpForever() {
@@ -141,7 +155,7 @@ void Helpers::helpForever() {
 	while (true) {
 		comesSoon([this] { return isAnyOpen_.load(); });
 		std::unique_lock<std::mutex> lock = lockBriefly(mutex_);
-		called_.wait(lock, [this] { return hasEnded_ || first_ != nullptr; });
+		sleepUntil(called_, lock, [this] { return hasEnded_ || first_ != nullptr; });
 		if (hasEnded_) {
 			return;
 		}
