@@ -66,8 +66,8 @@ std::unique_lock<std::mutex> lockBriefly(std::mutex& mutex) {
 	return std::unique_lock<std::mutex>(mutex);
 }
 
-// Sleeps until it is notified and the condition holds. (What GCC 12 makes of wait() needs a newer C++
-// library than hosts do; with a limit it is the system's own.)
+// Sleeps until it is notified and the condition holds. (What GCC 12 makes of wait() needs a newer
+// C++ library than hosts do; with a limit it is the system's own.)
 template <class Condition>
 void sleepUntil(std::condition_variable& notified, std::unique_lock<std::mutex>& lock,
                 Condition&& condition) {
