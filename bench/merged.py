@@ -18,7 +18,6 @@ import tempfile
 import time
 from pathlib import Path
 
-import igl
 import manifold3d
 import numpy as np
 import pymeshlab
@@ -33,9 +32,10 @@ sys.path.append(str(ROOT / "tests/python"))
 import chain_kinds  # noqa: E402
 import judges  # noqa: E402
 import placements  # noqa: E402
-from plain_solids import box, turned_about  # noqa: E402
+from merged_chains import one_block  # noqa: E402
+from plain_solids import box, column, joined, turned_about  # noqa: E402
+from surface_distance import farthest  # noqa: E402
 
-MEASURED_AGAIN = 100  # samples of a surface, those farthest
 SHARE = 1e-12  # of the diagonal, where nothing else is said
 
 
@@ -47,26 +47,8 @@ def last_of_chain(kind, steps, seed=4):
     chain = chain_kinds.make_chain(kind, seed, steps)
     mesh = chain.start
     for step in chain.steps:
-        mesh = one_block(mesh, step.operand, step.operation)
+        mesh, _ = one_block((mesh, step.operand), step.operation, "host", 0)
     return mesh
-
-
-def one_block(first, second, operation):
-    layers = pymeshlab.MeshSet()
-    for operand in (first, second):
-        layers.add_mesh(pymeshlab.Mesh(*operand))
-    wanted = {block: block == operation for block in chain_blocks()}
-    result = layers.generate_index_boolean(first_mesh=0, second_mesh=1, **wanted)
-    return arrays_of(layers, result[f"{operation}_layer"])
-
-
-def chain_blocks():
-    return ("union", "intersection", "first_minus_second", "second_minus_first")
-
-
-def arrays_of(layers, number):
-    layer = layers.mesh(number)
-    return layer.vertex_matrix(), layer.face_matrix()
 
 
 def plate(count):
@@ -76,25 +58,12 @@ def plate(count):
     mesh = turned_about(box((0, 0, 0), (count, count, 1)), *turn)
     for parity in (0, 1):
         holes = [
-            prism(32, x + 0.5, y + 0.5, 0.3)
+            column(32, x + 0.5, y + 0.5, 0.3)
             for x in range(count) for y in range(count) if (x + y) % 2 == parity
         ]
-        points = np.vstack([p for p, _ in holes])
-        faces = np.vstack([f + k * len(holes[0][0]) for k, (_, f) in enumerate(holes)])
-        mesh = one_block(mesh, turned_about((points, faces), *turn), "first_minus_second")
+        operands = mesh, turned_about(joined(*holes), *turn)
+        mesh, _ = one_block(operands, "first_minus_second", "host", 0)
     return mesh
-
-
-def prism(sides, x, y, radius):
-    """From z = -1 to z = 2 about a line along z."""
-    angles = 2 * np.pi * np.arange(sides) / sides
-    ring = np.stack([x + radius * np.cos(angles), y + radius * np.sin(angles)], axis=1)
-    points = np.vstack([np.column_stack([ring, np.full(sides, z)]) for z in (-1.0, 2.0)])
-    i = np.arange(sides)
-    j = (i + 1) % sides
-    walls = np.vstack([np.stack([i, j, j + sides], 1), np.stack([i, j + sides, i + sides], 1)])
-    fan = np.stack([0 * i[1:-1], i[1:-1], i[2:]], 1)
-    return points, np.vstack([walls, fan[:, ::-1], fan + sides])
 
 
 def scan(name):
@@ -121,7 +90,8 @@ def here(mesh, tolerance):
     layers.add_mesh(pymeshlab.Mesh(*mesh))
     result = layers.generate_index_boolean_resolve(
         mesh=0, merge_tolerance=pymeshlab.PureValue(tolerance), transfer_attributes=False)
-    made = arrays_of(layers, result["resolved_layer"])
+    layer = layers.mesh(result["resolved_layer"])
+    made = layer.vertex_matrix(), layer.face_matrix()
     return made, result["seconds_merge_walls"], result["seconds_core"]
 
 
@@ -157,58 +127,6 @@ def planar_patches(program):
 # --- what came of it ------------------------------------------------------------------------------
 
 
-def samples_of(mesh, rng):
-    """Corners, middles of sides, and four points of each face."""
-    corners = mesh[0][mesh[1]]
-    weights = rng.dirichlet((1, 1, 1), size=(len(corners), 4))
-    inside = np.einsum("fkc,fcd->fkd", weights, corners).reshape(-1, 3)
-    middles = (corners + np.roll(corners, -1, axis=1)).reshape(-1, 3) / 2
-    return np.concatenate([corners.reshape(-1, 3), middles, inside])
-
-
-def distance_to_segments(point, a, b):
-    along = b - a
-    square = np.maximum((along * along).sum(-1), np.longdouble(1e-300))
-    share = ((point - a) * along).sum(-1) / square
-    return np.sqrt(((a + np.clip(share, 0, 1)[:, None] * along - point) ** 2).sum(-1))
-
-
-def distance_to_triangles(point, triangles):
-    """The least of the distances, in long doubles."""
-    a, b, c = (triangles[:, k].astype(np.longdouble) for k in range(3))
-    point = point.astype(np.longdouble)
-    sides = ((a, b), (b, c), (c, a))
-    normal = np.cross(b - a, c - a)
-    square = (normal * normal).sum(-1)
-    is_above = square > 0
-    for p, q in sides:
-        is_above &= (np.cross(q - p, point - p) * normal).sum(-1) >= 0
-    near = np.min([distance_to_segments(point, *side) for side in sides], axis=0)
-    height = np.abs(((point - a) * normal).sum(-1)[is_above]) / np.sqrt(square[is_above])
-    return float(min(near.min(), height.min(initial=np.inf)))
-
-
-def farthest_of(mesh, other):
-    """The greatest distance of samples of one surface from the other one. libigl's are taken for
-    what they are if small: those to needles are thousands of times too large, so that the largest
-    are measured again."""
-    samples = samples_of(mesh, np.random.default_rng(1))
-    triangles = np.asarray(other[0])[other[1]]
-    squares, _, _ = igl.point_mesh_squared_distance(
-        samples, np.asarray(other[0]), np.asarray(other[1], dtype=np.int64))
-    rough, found = np.sqrt(squares), 0.0
-    for tried, number in enumerate(np.argsort(-rough)):
-        if rough[number] <= found or tried == MEASURED_AGAIN:
-            return max(found, float(rough[number]))
-        found = max(found, distance_to_triangles(samples[number], triangles))
-    return found
-
-
-def farthest(mesh, other):
-    """The same, both ways."""
-    return max(farthest_of(mesh, other), farthest_of(other, mesh))
-
-
 def row_of(name, system, run, mesh, tolerance, runs):
     try:
         made = [run(mesh, tolerance) for _ in range(runs)]
@@ -218,7 +136,7 @@ def row_of(name, system, run, mesh, tolerance, runs):
     seconds = [duration(statistics.median(times)) for times in zip(*(m[1:] for m in made))]
     return [
         name, system, str(len(result[1])), " of ".join(seconds),
-        str(judges.judge(*result).meeting), f"{farthest(mesh, result) / tolerance:.2g}",
+        str(judges.judge(*result).meeting), f"{farthest(mesh, result, per_face=4) / tolerance:.2g}",
     ]
 
 

@@ -91,3 +91,16 @@ def halved(points, faces):
     ab, bc, ca = number.reshape(-1, 3).T + len(points)
     pieces = [np.stack(f, axis=1) for f in ((a, ab, ca), (ab, b, bc), (ca, bc, c), (ab, bc, ca))]
     return np.concatenate([points, points[edges].mean(axis=1)]), np.concatenate(pieces)
+
+
+def column(sides, x, y, radius):
+    """A prism from z = -1 to z = 2 about a line along z."""
+    angles = 2 * np.pi * np.arange(sides) / sides
+    ring = np.stack([x + radius * np.cos(angles), y + radius * np.sin(angles)], axis=1)
+    points = [np.column_stack([ring, np.full(sides, z)]) for z in (-1.0, 2.0)]
+    points = np.vstack([*points, [(x, y, -1), (x, y, 2)]])
+    i = np.arange(sides)
+    j, low, high = (i + 1) % sides, 0 * i + 2 * sides, 0 * i + 2 * sides + 1
+    quads = np.vstack([np.stack([i, j, j + sides], 1), np.stack([i, j + sides, i + sides], 1)])
+    lids = np.vstack([np.stack([j, i, low], 1), np.stack([i + sides, j + sides, high], 1)])
+    return points, np.vstack([quads, lids])

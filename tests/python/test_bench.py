@@ -213,3 +213,16 @@ def test_trueformsCellsAreTheSubBlocks(tmp_path):
     assert cells["volume"] == pytest.approx(split["sub_blocks_volume"], rel=1e-9)
     assert len(row["peers"]["trueform_arrangement"]["seconds_each_run"]) == 1
     assert "trueform, arrangement and cells" in table and "*" not in table.splitlines()[-3]
+
+
+def test_mergedWallsAreComparedWithManifolds():
+    command = [sys.executable, ROOT / "bench/merged.py", "--cases", "30 cubes", "--runs", "1"]
+    done = subprocess.run(command, check=True, capture_output=True, text=True, timeout=120)
+    rows = [[cell.strip() for cell in line.strip("|").split("|")]
+            for line in done.stdout.splitlines()[2:]]
+    assert [row[1] for row in rows] == ["before", "here", "Manifold"]
+    before, here, manifold = (int(row[2]) for row in rows)
+    # A ball of 6 * 31 planes: with Euler's formula the rest follows.
+    assert here == manifold == 2 * (2 * (6 * 31 - 2)) - 4 < before
+    assert [row[4] for row in rows] == ["0", "0", "0"]
+    assert float(rows[1][5]) <= 1

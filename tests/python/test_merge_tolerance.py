@@ -7,7 +7,6 @@ import json
 import subprocess
 import sys
 
-import igl
 import numpy as np
 import pymeshlab
 import pytest
@@ -18,8 +17,9 @@ import placements
 import sample_catalogue
 from conftest import box, document, sphere
 from merged_chains import allowed_volume, manifold_steps, merged_steps
-from plain_solids import cube, shifted, turned_about
+from plain_solids import column, cube, joined, shifted, turned_about
 from split_run import Split
+from surface_distance import farthest
 
 MOST_FACES = 1.2  # times Manifold's
 KINDS = {"carve": 25, "grow": 25, "turned": 12}
@@ -75,22 +75,6 @@ def test_turnedCubesHaveThePolygonsOfTheirPlanes(scalar):
 # --- how far --------------------------------------------------------------------------------------
 
 
-def samples_of(mesh, rng, per_face=12):
-    """Corners, middles of sides, and points of each face."""
-    corners = mesh[0][mesh[1]]
-    weights = rng.dirichlet((1, 1, 1), size=(len(corners), per_face))
-    inside = np.einsum("fkc,fcd->fkd", weights, corners).reshape(-1, 3)
-    middles = (corners + np.roll(corners, -1, axis=1)).reshape(-1, 3) / 2
-    return np.concatenate([corners.reshape(-1, 3), middles, inside])
-
-
-def distance(mesh, other, rng):
-    """The greatest distance of a sample of one surface from the other, by libigl."""
-    squared, _, _ = igl.point_mesh_squared_distance(
-        samples_of(mesh, rng), np.asarray(other[0]), np.asarray(other[1], dtype=np.int64))
-    return float(np.sqrt(squared.max()))
-
-
 def union_with_a_box(mesh, tolerance):
     """(what is made without a tolerance, with it, the result map)"""
     low, high = mesh[0].min(axis=0), mesh[0].max(axis=0)
@@ -111,9 +95,7 @@ def test_samplesMoveNoFartherThanTheTolerance(name, share):
     mesh = sample_catalogue.sample(name)
     tolerance = share * float(np.linalg.norm(np.ptp(mesh[0], axis=0)))
     before, after, result = union_with_a_box(mesh, tolerance)
-    rng = np.random.default_rng(1)
-    assert distance(before, after, rng) <= tolerance
-    assert distance(after, before, rng) <= tolerance
+    assert farthest(before, after) <= tolerance
     assert result["union_largest_move"] <= tolerance
     assert result["union_self_intersections"] == 0
     assert len(after[0]) == len(before[0]) - result["union_merged_vertices"]
@@ -130,22 +112,8 @@ def test_scansMoveNoFartherThanTheTolerance(name, share):
     mesh = placements.read_mesh(folder / f"{name}.obj")
     tolerance = share * float(np.linalg.norm(np.ptp(mesh[0], axis=0)))
     before, after, result = union_with_a_box(mesh, tolerance)
-    rng = np.random.default_rng(1)
-    assert max(distance(before, after, rng), distance(after, before, rng)) <= tolerance
+    assert farthest(before, after) <= tolerance
     assert result["union_self_intersections"] == 0
-
-
-def prism(sides, x, y, radius):
-    """From z = -1 to z = 2 about a line along z."""
-    angles = 2 * np.pi * np.arange(sides) / sides
-    ring = np.stack([x + radius * np.cos(angles), y + radius * np.sin(angles)], axis=1)
-    points = [np.column_stack([ring, np.full(sides, z)]) for z in (-1.0, 2.0)]
-    points = np.vstack([*points, [(x, y, -1), (x, y, 2)]])
-    i = np.arange(sides)
-    j, low, high = (i + 1) % sides, 0 * i + 2 * sides, 0 * i + 2 * sides + 1
-    quads = np.vstack([np.stack([i, j, j + sides], 1), np.stack([i, j + sides, i + sides], 1)])
-    lids = np.vstack([np.stack([j, i, low], 1), np.stack([i + sides, j + sides, high], 1)])
-    return points, np.vstack([quads, lids])
 
 
 # A polygon with n corners and h holes has n - 2 + 2 h triangles, whatever they are.
@@ -153,10 +121,10 @@ def prism(sides, x, y, radius):
 def test_aTurnedPlateWithHolesHasTheFacesOfItsPolygons(count):
     sides, turn = 32, ((1, 2, 3), 0.4)
     plate = turned_about(box((0, 0, 0), (count, count, 1)), *turn)
-    holes = [prism(sides, x + 0.5, y + 0.5, 0.3) for x in range(count) for y in range(count)]
-    points = np.vstack([p for p, _ in holes])
-    faces = np.vstack([f + k * len(holes[0][0]) for k, (_, f) in enumerate(holes)])
-    layers = document(plate, turned_about((points, faces), *turn))
+    holes = [
+        column(sides, x + 0.5, y + 0.5, 0.3) for x in range(count) for y in range(count)
+    ]
+    layers = document(plate, turned_about(joined(*holes), *turn))
     result = layers.generate_index_boolean(
         first_mesh=0, second_mesh=1, union=False, intersection=False, second_minus_first=False,
         merge_tolerance=pymeshlab.PercentageValue(1e-10))

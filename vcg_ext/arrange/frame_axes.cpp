@@ -10,6 +10,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <vector>
 
 namespace index_boolean {
 
@@ -102,7 +104,8 @@ bool axesOf(const Corners& corners, Axes& axes) {
 	const Point upright = minus(normal, times(axes[0], dot(axes[0], normal)));
 	axes[2] = times(upright, 1 / length(upright));
 	axes[1] = cross(axes[2], axes[0]);
-	// No number, if a side or the area is none.
+	// No number if a side or the area is none. (Were they askew a little, the search would only see
+	// larger boxes: what it needs of them is that their map has an inverse.)
 	constexpr double kClose = 1e-6;
 	return std::fabs(dot(axes[0], cross(axes[1], axes[2])) - 1) < kClose &&
 	       std::fabs(dot(axes[0], axes[2])) < kClose;

@@ -10,6 +10,7 @@
 #include "vcg_ext/arrange/faces_view.h"
 #include "vcg_ext/exact/bounding_box.h"
 
+#include <array>
 #include <optional>
 
 namespace index_boolean {
@@ -20,7 +21,7 @@ using Axes = std::array<Point, 3>;
 // A guess from some faces.
 // \param box   of the faces' corners
 // \param scale a power of two by which no side of the box is longer than 2
-// \return none if x, y and z will do. Complexity: O(1).
+// \return none if x, y and z will do. Throws std::bad_alloc. Complexity: O(1).
 std::optional<Axes> guessFrameAxes(const FacesView& faces, const BoundingBox& box, double scale);
 
 }  // namespace index_boolean

@@ -53,12 +53,17 @@ Status findExtent(const FacesView& faces, int threads, Monitor& monitor, Extent&
 	return status;
 }
 
-// The map of a box to a cube from -1 to 1: what it takes off each coordinate, and a power of two.
+// The map of a box to a cube from -1 to 1: what it takes off each coordinate, a power of two, and
+// axes if they are not the given ones.
 struct Frame {
 	Point centre;
 	double scale;
+	std::optional<Axes> axes{};
 
-	Point map(const Point& point) const { return times(minus(point, centre), scale); }
+	Point map(const Point& point) const {
+		const Point p = times(minus(point, centre), scale);
+		return axes ? Point{dot((*axes)[0], p), dot((*axes)[1], p), dot((*axes)[2], p)} : p;
+	}
 };
 
 // The centre is rounded, so that the sides' distances from it may differ; no number in the box is
@@ -74,12 +79,6 @@ Frame frameOf(const BoundingBox& box) {
 	return {centre, std::ldexp(1.0, std::min(-exponent, 1000))};  // a larger power is no double
 }
 
-void setPlace(const Point& place, FramePoint& out) {
-	for (std::size_t axis = 0; axis < 3; ++axis) {
-		out.place[axis] = static_cast<float>(place[axis]);
-	}
-}
-
 }  // namespace
 
 Status placeInFrame(SearchedSurface& surface, Monitor& monitor) {
@@ -92,22 +91,19 @@ Status placeInFrame(SearchedSurface& surface, Monitor& monitor) {
 		return status;
 	}
 	Frame frame = frameOf(extent.box);
-	const std::optional<Axes> axes = guessFrameAxes(faces, extent.box, frame.scale);
-	surface.boxMargin = axes ? 0x1p-23F : 0.0F;
-	frame.scale = axes ? frame.scale / 2 : frame.scale;  // a cube's corners stay within 1
+	frame.axes = guessFrameAxes(faces, extent.box, frame.scale);
+	surface.boxMargin = frame.axes ? 0x1p-23F : 0.0F;
+	frame.scale /= frame.axes ? 2 : 1;  // so that a turned cube's corners stay within 1
 	out.first = extent.lowest;
 	out.points.resizeForOverwrite(std::size_t{extent.highest} + 1 - extent.lowest);
 	return parallelFor(out.points.size(), kGrain, surface.threads, monitor,
 	                   [&](std::size_t begin, std::size_t end) {
 		                   const Point* const from = faces.points().data() + extent.lowest;
-		                   for (std::size_t i = begin; i < end && !axes; ++i) {
-			                   setPlace(frame.map(from[i]), out.points[i]);
-		                   }
-		                   for (std::size_t i = begin; i < end && axes; ++i) {
-			                   const Point p = frame.map(from[i]);
-			                   setPlace(
-			                       {dot((*axes)[0], p), dot((*axes)[1], p), dot((*axes)[2], p)},
-			                       out.points[i]);
+		                   for (std::size_t i = begin; i < end; ++i) {
+			                   const Point place = frame.map(from[i]);
+			                   for (std::size_t axis = 0; axis < 3; ++axis) {
+				                   out.points[i].place[axis] = static_cast<float>(place[axis]);
+			                   }
 		                   }
 	                   });
 }

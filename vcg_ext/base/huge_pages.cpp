@@ -4,8 +4,9 @@
 // Blocks are mapped, not taken from the heap: the heap's memory begins anywhere, and is given back
 // and asked for again whenever its end is free. A block that is larger than what is asked for is
 // divided, since any part of a mapping can be given back on its own.
-// The blocks kept are the one state that all runs of a process share, as they share the heap: an
-// allocator of a vector's has none of its own. A run without others leaves nothing in it.
+// The blocks kept are a state that all runs of a process share, as they share the heap and the
+// helper threads: an allocator of a vector's has none of its own. A run without others leaves
+// nothing in it.
 #include "vcg_ext/base/huge_pages.h"
 
 #include <algorithm>

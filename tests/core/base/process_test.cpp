@@ -98,7 +98,7 @@ TEST(Process, mayRunOnTheCoresThatItIsLeft) {
 	}));
 }
 
-TEST(Helpers, areAsTheProcessIsNotAsWhoCallsFirst) {
+TEST(HelperThreads, areAsTheProcessIsNotAsWhoCallsFirst) {
 	const int cores = coresOfThisThread();
 	Look look;
 	bool isSignalled = false;
@@ -119,7 +119,7 @@ TEST(Helpers, areAsTheProcessIsNotAsWhoCallsFirst) {
 // A run that another thread is in does not hold up the end of the process. (A thread sanitizer
 // wants all threads to have ended by then.)
 #ifndef INDEXBOOLEAN_THREAD_SANITIZER
-TEST(Helpers, leaveTheRestWhenTheProcessEnds) {
+TEST(HelperThreads, leaveTheRestWhenTheProcessEnds) {
 	const pid_t child = fork();
 	if (child == 0) {
 		static std::atomic<bool> isHelped{false};
